@@ -48,26 +48,29 @@ constexpr const char* kAutopath = "autopath";
 void add_material_options(apps::CommandLine& line, AutopathArguments& arguments) {
     engine::CuttingOptions& cutting = arguments.request.cutting;
     line.begin_group("Material");
-    line.add("--material", &cutting.material, "material, as the materials file names it");
-    line.add("--thickness", &cutting.thickness_mm, "of the material (that of the solid)")
+    line.add("--material", &cutting.material, "name of the material in the materials file");
+    line.add("--thickness", &cutting.thickness_mm, "thickness of the material (default: that of the solid)")
         .with_value_name("MM");
-    line.add("--quality", &cutting.quality, "of the edge, 1 (just through) to 5 (finest)");
+    line.add("--quality", &cutting.quality, "edge quality, 1 (separation cut) to 5 (finest)");
     line.add("--materials", &cutting.materials, "materials file (TOML) instead of the built-in one")
         .takes_file(apps::FileKind::input, {".toml"});
     line.add("--speed", &cutting.speed_mm_min, "cutting speed, instead of the material's")
         .with_value_name("MM/MIN")
         .within(1e-3, 1e6);
-    line.add("--kerf", &cutting.kerf_mm, "width of the cut, instead of the material's")
+    line.add("--kerf", &cutting.kerf_mm, "kerf width, instead of the material's")
         .with_value_name("MM")
         .within(1e-3, 100);
-    line.add("--pierce", &cutting.pierce_s, "time of a pierce, instead of the material's")
+    line.add("--pierce", &cutting.pierce_s, "pierce time, instead of the material's")
         .with_value_name("SECONDS")
         .within(0, 3600);
-    line.add("--moving-pierce", &cutting.dynamic_pierce,
-             "move the nozzle to and fro on the lead while it pierces, which takes less time");
-    line.add("--straighten", &cutting.taper_compensation,
-             "lean the jet against the taper of its kerf, so that sides get straight");
-    line.add("--report", &arguments.report, "print how the values were found and what the job costs")
+    line.add("--dynamic-pierce", &cutting.dynamic_pierce,
+             "dynamic pierce: move the nozzle back and forth on the lead-in while piercing, which takes less "
+             "time")
+        .formerly("--moving-pierce");
+    line.add("--taper-compensation", &cutting.taper_compensation,
+             "taper compensation: tilt the jet against the taper of the cut, so the walls are straight")
+        .formerly("--straighten");
+    line.add("--report", &arguments.report, "print how the values were calculated and the cost of the job")
         .exclude_option("--json");
 }
 
@@ -75,24 +78,24 @@ void add_path_options(apps::CommandLine& line, AutopathArguments& arguments) {
     engine::CuttingPathOptions& ways = arguments.request.ways;
     line.begin_group("Path");
     line.add("--at", &ways.origin_mm,
-             "where the drawing's origin, on the material's upper side, lies in the work frame, in mm")
+             "position of the drawing's origin (on the upper side of the material) in the work frame, in mm")
         .with_value_name("X Y Z")
         .within(-1e6, 1e6)
         .show_default();
-    line.add("--lead", &ways.lead_mm, "radius of leads (three kerfs)")
+    line.add("--lead", &ways.lead_mm, "radius of lead-ins and lead-outs (default: three kerf widths)")
         .with_value_name("MM")
         .within(0.05, 1000);
-    line.add("--safe-height", &ways.safe_height_mm, "height of ways between cuts")
+    line.add("--safe-height", &ways.safe_height_mm, "height of linking moves between cuts")
         .with_value_name("MM")
         .within(0, 10'000)
         .show_default();
-    line.add("--cut-height", &ways.cut_height_mm, "height of the nozzle's tip over the material")
+    line.add("--cut-height", &ways.cut_height_mm, "height of the nozzle above the material")
         .with_value_name("MM")
         .within(0, 1000)
         .show_default();
     line.add("--bevel", &ways.bevel_deg,
-             "lean of the jet, but for edges that have a bevel of their own; above 0 the part is smaller "
-             "below")
+             "tilt angle of the jet, except for edges that define a bevel; if positive, the part is smaller "
+             "at the bottom")
         .with_value_name("DEG")
         .within(-60, 60)
         .show_default();
@@ -101,17 +104,20 @@ void add_path_options(apps::CommandLine& line, AutopathArguments& arguments) {
 void add_reading_options(apps::CommandLine& line, AutopathArguments& arguments) {
     engine::DrawingOptions& reading = arguments.request.reading;
     line.begin_group("Drawing or solid");
-    line.add("--unit", &arguments.units, "of the drawing (what the drawing says)").one_of({"mm", "inch"});
-    line.add("--layer", &reading.layers, "only what is on this layer; may be given more than once (DXF)");
-    line.add("--tolerance", &reading.gap_mm, "join ends that are nearer than this")
+    line.add("--unit", &arguments.units, "unit of the drawing (default: as given in the drawing)")
+        .one_of({"mm", "inch"});
+    line.add("--layer", &reading.layers, "only entities on this layer; may be given more than once (DXF)");
+    line.add("--tolerance", &reading.gap_mm, "join ends that are closer than this")
         .with_value_name("MM")
         .within(1e-6, 10)
         .show_default();
-    line.add("--curve-tolerance", &reading.curve_tolerance_mm, "how far arcs may be off splines and ellipses")
+    line.add("--curve-tolerance", &reading.curve_tolerance_mm,
+             "max deviation of arcs from splines and ellipses")
         .with_value_name("MM")
         .within(1e-5, 10)
         .show_default();
-    line.add("--up", &reading.up, "where the upper side looks (that of the largest face; STEP, IGES)")
+    line.add("--up", &reading.up,
+             "direction of the upper side (default: that of the largest face; STEP, IGES)")
         .one_of({"x", "y", "z", "-x", "-y", "-z"});
     line.add("--flip", &reading.flip, "turn the plate over (STEP, IGES)");
 }
@@ -120,53 +126,59 @@ void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) 
     engine::ContourSelection& contours = arguments.surface.contours;
     line.begin_group("Parts that are not flat (STEP, IGES)");
     line.add("--contours", &arguments.contours,
-             "cut these closed loops of edges of faces, or the edges that --edge names; the other options of "
-             "this group need it")
+             "cut these closed edge loops of faces, or the edges of --edge; required by the other options of "
+             "this group")
         .one_of({"holes", "outlines", "all", "edges"});
-    line.add("--side", &contours.side, "only those of faces that look to this side")
+    line.add("--side", &contours.side, "only contours of faces that face in this direction")
         .one_of({"x", "y", "z", "-x", "-y", "-z"})
         .show_default();
     line.add("--face", &contours.faces,
-             "only those of this face: its number in the file (#57), name, layer or colour (red; 255,128,0); "
-             "may be given more than once");
-    line.add("--edge", &contours.edges,
-             "only those that have this edge, by its number in the file (#95); may be given more than once");
+             "only contours of this face: its number in the file (#57), name, layer or colour (red; "
+             "255,128,0); may be given more than once");
+    line.add(
+        "--edge", &contours.edges,
+        "only contours that have this edge, by its number in the file (#95); may be given more than once");
     line.add("--choose", &arguments.surface.choose,
-             "only those of which the function that this script returns is true")
+             "only contours for which the function that this script returns is true")
         .takes_file(apps::FileKind::input, {".lua"});
-    line.add("--bridges", &arguments.bridges, "leave so many places of each contour uncut")
+    line.add("--bridges", &arguments.bridges, "number of bridges (parts left uncut) in each contour")
         .within(0, 1000)
         .show_default();
-    line.add("--bridge-width", &arguments.surface.bridge_mm, "how wide each stays")
+    line.add("--bridge-width", &arguments.surface.bridge_mm, "width of each bridge")
         .with_value_name("MM")
         .within(0, 100)
         .show_default();
-    line.add("--start", &arguments.start_mm, "where the program begins and ends, in the work frame, in mm")
+    line.add("--start", &arguments.start_mm,
+             "position where the program begins and ends, in the work frame, in mm")
         .with_value_name("X Y Z")
         .within(-kUnbounded_mm, kUnbounded_mm);
-    line.add("--box-low", &arguments.box_low_mm, "only those in a box of the file: its low corner, in mm")
+    line.add("--box-low", &arguments.box_low_mm,
+             "only contours in a box of the file's coordinates: its low corner, in mm")
         .with_value_name("X Y Z")
         .within(-kUnbounded_mm, kUnbounded_mm);
-    line.add("--box-high", &arguments.box_high_mm, "its high corner, in mm")
+    line.add("--box-high", &arguments.box_high_mm, "high corner of this box, in mm")
         .with_value_name("X Y Z")
         .within(-kUnbounded_mm, kUnbounded_mm);
-    line.add("--axis", &arguments.axis, "where the jet goes: along the walls, or along the face's normal")
+    line.add("--axis", &arguments.axis, "direction of the jet: along the walls, or along the face normal")
         .one_of({"wall", "normal"})
         .show_default();
-    line.add("--lean", &arguments.surface.tilt_deg,
-             "lean to the side, from the normal; above 0 the part is smaller below")
+    line.add("--tilt-angle", &arguments.surface.tilt_deg,
+             "tilt angle to the side, from the normal; if positive, the part is smaller at the bottom")
         .with_value_name("DEG")
         .within(-80, 80)
-        .show_default();
-    line.add("--tilt", &arguments.surface.lead_angle_deg, "lean forwards, with the nozzle ahead")
+        .show_default()
+        .formerly("--lean");
+    line.add("--lead-angle", &arguments.surface.lead_angle_deg, "lead angle, positive with the nozzle ahead")
         .with_value_name("DEG")
         .within(-60, 60)
-        .show_default();
-    line.add("--max-lean", &arguments.surface.max_tilt_deg,
-             "refuse edges where the jet leans more from the normal")
+        .show_default()
+        .formerly("--tilt");
+    line.add("--max-tilt", &arguments.surface.max_tilt_deg,
+             "reject edges where the jet is tilted more than this from the normal")
         .with_value_name("DEG")
         .within(0, 85)
-        .show_default();
+        .show_default()
+        .formerly("--max-lean");
 }
 
 void add_cell_options(apps::CommandLine& line, AutopathArguments& arguments) {
@@ -174,13 +186,14 @@ void add_cell_options(apps::CommandLine& line, AutopathArguments& arguments) {
     engine::CuttingCellOptions& work_cell = arguments.work_cell;
     line.begin_group("Machine and cell");
     line.add("--cell", &work_cell.cell,
-             "cell file (TOML): ways between cuts lead past its bodies, and cuts that they are in the way of "
-             "are refused; it may name machine and machine data")
+             "cell file (TOML): linking moves between cuts avoid its bodies, and cuts that collide with them "
+             "are rejected; it may name machine and machine data")
         .takes_file(FileKind::input, {".toml"});
     line.add("--machine", &work_cell.machine,
-             "machine that cuts, with its own bodies where no cell is named (that of the cell)")
+             "cutting machine, with its bodies if no cell is given (default: that of the cell)")
         .takes_file(FileKind::input, {".toml"});
-    line.add("--machine-data", &work_cell.machine_data, "where G54 lies on it (at the machine's zero)")
+    line.add("--machine-data", &work_cell.machine_data,
+             "machine data with the position of G54 (default: the machine zero)")
         .takes_file(FileKind::input, {".txt"});
 }
 
@@ -191,8 +204,7 @@ void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments)
         .takes_file(FileKind::input, {".dxf", ".svg", ".step", ".stp", ".iges", ".igs"})
         .make_required();
     line.begin_group("Output");
-    line.add("-o,--output", &arguments.output,
-             "write the path to this file; it appears only if all went well")
+    line.add("-o,--output", &arguments.output, "write the path to this file; it is created only on success")
         .takes_file(FileKind::output, {".json"});
     add_material_options(line, arguments);
     add_path_options(line, arguments);
@@ -205,9 +217,9 @@ void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments)
     line.begin_group("Diagnostics");
     apps::add_finding_options(line, arguments.findings);
     line.add_example("autopath plate.svg --material aluminum --thickness 12 -o plate.path.json",
-                     "cutting speeds, kerf and piercing by the material");
+                     "cutting speed, kerf and piercing from the material");
     line.add_example("autopath plate.dxf --speed 400 --kerf 1 | path2gcode -",
-                     "by your own figures, to a part program");
+                     "with given values, to a part program");
 }
 
 engine::SurfaceCuttingOptions surface_options(const AutopathArguments& arguments) {
@@ -237,9 +249,9 @@ std::string option_without_contours(const AutopathArguments& arguments) {
     if (arguments.box_low_mm != none.box_low_mm) return "--box-low";
     if (arguments.box_high_mm != none.box_high_mm) return "--box-high";
     if (arguments.axis != none.axis) return "--axis";
-    if (given.tilt_deg != none.surface.tilt_deg) return "--lean";
-    if (given.lead_angle_deg != none.surface.lead_angle_deg) return "--tilt";
-    return given.max_tilt_deg != none.surface.max_tilt_deg ? "--max-lean" : "";
+    if (given.tilt_deg != none.surface.tilt_deg) return "--tilt-angle";
+    if (given.lead_angle_deg != none.surface.lead_angle_deg) return "--lead-angle";
+    return given.max_tilt_deg != none.surface.max_tilt_deg ? "--max-tilt" : "";
 }
 
 engine::DrawingRequest make_request(const AutopathArguments& arguments) {
@@ -253,7 +265,7 @@ engine::DrawingRequest make_request(const AutopathArguments& arguments) {
     return request;
 }
 
-tl::expected<void, std::string> write_path(const engine::DrawingPath& path, const std::string& name) {
+Result<void> write_path(const engine::DrawingPath& path, const std::string& name) {
     auto file = os::OutputFile::open(name);
     if (!file) return tl::unexpected(file.error());
     path.write([&](std::string_view text) { return file->write(text); });
@@ -270,8 +282,7 @@ void report_summary(const std::string& message, apps::Findings& findings) {
 
 /// From here on only the drawing and the outputs are needed. A separate program reads solids, and it needs
 /// its libraries.
-tl::expected<void, std::string> confine_reading(const AutopathArguments& arguments,
-                                                const engine::DrawingPath& path) {
+Result<void> confine_reading(const AutopathArguments& arguments, const engine::DrawingPath& path) {
     if (arguments.no_confine || path.is_solid()) return {};
     return apps::confine_to(std::array{path.drawing_file()},
                             std::array{arguments.output, arguments.findings.sarif});
@@ -285,23 +296,23 @@ int report_failure(apps::Findings& findings, const engine::Error& error) {
 
 /// Makes the path as the arguments specify, and reports errors; returns the exit status.
 int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
-    const apps::CpuBackstop cpu(arguments.max_cpu_s);
+    const apps::CpuLimitGuard cpu(arguments.max_cpu_s);
     if (const auto conflict =
-            apps::sarif_conflict(findings.options(), apps::product_destination(arguments.output)))
-        return findings.fail(Kind::usage, *conflict);
+            apps::sarif_conflict(findings.options(), apps::output_destination(arguments.output)))
+        return findings.fail(Kind::usage, conflict->message);
     if (const std::string orphan_option = option_without_contours(arguments); !orphan_option.empty())
-        return findings.fail(Kind::usage, orphan_option + " needs --contours");
+        return findings.fail(Kind::usage, orphan_option + " requires --contours");
     auto path = engine::DrawingPath::open(make_request(arguments));
     if (!path) return findings.fail(path.error());
     if (auto confined = confine_reading(arguments, *path); !confined)
-        return findings.fail(Kind::usage, confined.error());
+        return findings.fail(Kind::usage, confined.error().message);
     if (const auto read = path->read(); !read) return report_failure(findings, read.error());
     if (arguments.report && arguments.request.cutting.material.empty())
         return findings.fail(Kind::usage, "--report needs --material and --thickness");
     const auto result = path->make([&](const engine::Diagnostic& diagnostic) { findings.add(diagnostic); });
     if (!result) return report_failure(findings, result.error());
-    const auto written = write_path(*path, apps::product_destination(arguments.output));
-    if (!written) return findings.fail(Kind::output, written.error());
+    const auto written = write_path(*path, apps::output_destination(arguments.output));
+    if (!written) return findings.fail(Kind::output, written.error().message);
     report_summary(path->summary(), findings);
     if (arguments.report) apps::print_to_standard_error(text::printable(path->job_report()));
     return apps::kSuccess;
@@ -311,10 +322,10 @@ int run_autopath(const AutopathArguments& arguments) {
     using Stream = apps::Findings::Stream;
     apps::Findings findings(kAutopath, arguments.findings);
     const int status = make_path(arguments, findings);
-    const bool product_on_standard_output =
-        status == apps::kSuccess && apps::product_destination(arguments.output) == os::kStandardStream;
+    const bool is_output_on_standard_output =
+        status == apps::kSuccess && apps::output_destination(arguments.output) == os::kStandardStream;
     return findings.finish(status,
-                           product_on_standard_output ? Stream::standard_error : Stream::standard_output);
+                           is_output_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 
 }  // namespace

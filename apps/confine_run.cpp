@@ -18,9 +18,9 @@ namespace {
 
 /// The leak search at the end of a program that is built with sanitizers reads from its own process.
 #ifdef GSIM_SANITIZED
-constexpr bool kReadsOwnProcess = true;
+constexpr bool kReadsProcSelf = true;
 #else
-constexpr bool kReadsOwnProcess = false;
+constexpr bool kReadsProcSelf = false;
 #endif
 
 /// Folder in which a program that is built for measuring coverage adds up its counts, when it ends.
@@ -56,11 +56,11 @@ void add_system_programs(os::SandboxPolicy& policy) {
     }
 }
 
-tl::expected<void, std::string> restrict_access(os::SandboxPolicy policy) {
-    if (kReadsOwnProcess) policy.read.emplace_back("/proc/self");
+Result<void> restrict_access(os::SandboxPolicy policy) {
+    if (kReadsProcSelf) policy.read.emplace_back("/proc/self");
     if (kCoverageFolder != nullptr) policy.changed.emplace_back(kCoverageFolder);
-    return os::confine(policy).map([](bool) {}).map_error([](const std::string& message) {
-        return message + "; --no-confine runs without";
+    return os::confine(policy).map([](bool) {}).map_error([](const Error& error) {
+        return Error(error.message + "; --no-confine runs without confinement");
     });
 }
 
@@ -83,15 +83,14 @@ os::SandboxPolicy run_sandbox_policy(const RunArguments& arguments, const engine
     return policy;
 }
 
-tl::expected<void, std::string> confine_run(const RunArguments& arguments, const engine::Request& request,
-                                            std::span<const std::string> programs) {
+Result<void> confine_run(const RunArguments& arguments, const engine::Request& request,
+                         std::span<const std::string> programs) {
     // A module in a separate process was started before this, and is not confined.
     if (arguments.no_confine || (arguments.module_in_process && !request.module.empty())) return {};
     return restrict_access(run_sandbox_policy(arguments, request, programs));
 }
 
-tl::expected<void, std::string> confine_to(std::span<const std::string> files,
-                                           std::span<const std::string> outputs) {
+Result<void> confine_to(std::span<const std::string> files, std::span<const std::string> outputs) {
     os::SandboxPolicy policy;
     for (const std::string& file : files) {
         if (!file.empty() && file != os::kStandardStream) policy.read.emplace_back(file);
@@ -100,7 +99,7 @@ tl::expected<void, std::string> confine_to(std::span<const std::string> files,
     return restrict_access(std::move(policy));
 }
 
-tl::expected<void, std::string> confine_to_folders(std::span<const fs::path> folders) {
+Result<void> confine_to_folders(std::span<const fs::path> folders) {
     os::SandboxPolicy policy;
     policy.read.assign(folders.begin(), folders.end());
     add_system_programs(policy);
@@ -113,10 +112,9 @@ tl::expected<void, std::string> confine_to_folders(std::span<const fs::path> fol
 }
 
 void add_confine_option(CommandLine& line, bool& no_confine) {
-    line.add(
-        "--no-confine", &no_confine,
-        "do not take from the program, before it reads its input, what it does not need: all other files but "
-        "those in the folders of its outputs, other programs, the network (Linux, landlock)");
+    line.add("--no-confine", &no_confine,
+             "do not confine the program before it reads its input; confinement blocks files outside the "
+             "folders of its outputs, other programs and the network (Linux, landlock)");
 }
 
 }  // namespace gsim::apps

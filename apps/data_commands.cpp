@@ -6,8 +6,8 @@
 
 #include "apps/confine_run.h"
 #include "apps/data_import.h"
-#include "apps/error_message.h"
 #include "apps/machine_data_file.h"
+#include "apps/to_error.h"
 #include "base/os/input_file.h"
 #include "base/text/printable.h"
 #include "cli/exit_status.h"
@@ -20,8 +20,7 @@ using engine::MachineData;
 
 namespace {
 
-using Status = tl::expected<int, std::string>;
-using Unexpected = tl::unexpected<std::string>;
+using Status = Result<int>;
 
 Status print_result(const tl::expected<std::string, engine::Error>& result) {
     if (!result) return Unexpected(result.error().message);
@@ -42,7 +41,7 @@ class Command {
     }
 
   private:
-    using OpenResult = tl::expected<MachineData, std::string>;
+    using OpenResult = Result<MachineData>;
 
     std::optional<engine::LengthUnit> unit() const {
         if (arguments_.inch) return engine::LengthUnit::inch;
@@ -70,7 +69,7 @@ class Command {
     }
 
     // Locks the file from before it is read until it is written.
-    tl::expected<void, std::string> lock() {
+    Result<void> lock() {
         if (!changes_file()) return {};
         return lock_for_change(arguments_.file, arguments_.wait_s).map([this](os::FileLock lock) {
             lock_.emplace(std::move(lock));
@@ -83,14 +82,14 @@ class Command {
             return MachineData(arguments_.file, machine_);
         return os::read_text_file(arguments_.file, os::NameSource::command_line)
             .and_then([this](const std::string& text) {
-                return MachineData::read(text, arguments_.file, machine_).map_error(error_message);
+                return MachineData::read(text, arguments_.file, machine_).map_error(to_error);
             });
     }
 
     OpenResult from_json() const {
         return os::read_text_file(arguments_.from_json, os::NameSource::command_line)
             .and_then([this](const std::string& text) {
-                return MachineData::from_json(text, arguments_.from_json, machine_).map_error(error_message);
+                return MachineData::from_json(text, arguments_.from_json, machine_).map_error(to_error);
             });
     }
 
@@ -126,11 +125,10 @@ class Command {
         if (is_from_json()) return save({}, data);
         if (arguments_.findings.json) {
             if (arguments_.output.empty()) return print_result(data.list(MachineData::Format::json));
-            return data.to_json().map_error(error_message).and_then([this](const std::string& json) {
-                return write_result(arguments_.output, json);
-            });
+            return data.to_json().map_error(to_error).and_then(
+                [this](const std::string& json) { return write_result(arguments_.output, json); });
         }
-        if (!unit()) return Unexpected("convert takes --inch, --metric, --json or --from-json FILE");
+        if (!unit()) return Unexpected("convert requires --inch, --metric, --json or --from-json FILE");
         return save(data.convert(*unit()), data);
     }
 
@@ -152,7 +150,7 @@ class Command {
 
 /// Confines the process after the machine was read. Does nothing for LinuxCNC settings, because they name
 /// files that may lie anywhere.
-tl::expected<void, std::string> confine(const DataArguments& a) {
+Result<void> confine(const DataArguments& a) {
     if (a.no_confine || (a.command == DataCommand::import && !imports_table(a))) return {};
     const bool shows =
         a.command == DataCommand::list || a.command == DataCommand::get || a.command == DataCommand::check;
@@ -161,14 +159,14 @@ tl::expected<void, std::string> confine(const DataArguments& a) {
 }
 
 /// Returns `std::nullopt` if no machine is named.
-tl::expected<std::optional<engine::Machine>, std::string> read_machine(const std::string& name) {
+Result<std::optional<engine::Machine>> read_machine(const std::string& name) {
     if (name.empty()) return std::nullopt;
     engine::Request request;
     request.machine = name;
     request.host = engine::make_system_host();
     return engine::Machine::read(request)
         .map([](engine::Machine machine) { return std::optional(std::move(machine)); })
-        .map_error(error_message);
+        .map_error(to_error);
 }
 
 }  // namespace

@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
 #include "apps/findings.h"
 #include "apps/machine_data_file.h"
+#include "base/error.h"
 #include "engine/machine_data.h"
 
 namespace gsim::apps {
@@ -38,6 +37,6 @@ struct DataArguments {
 
 /// Runs one command and prints its output. Returns the exit status, or an error message about options or
 /// files. `findings` receives the results of a check.
-tl::expected<int, std::string> run_data_command(const DataArguments& arguments, Findings& findings);
+Result<int> run_data_command(const DataArguments& arguments, Findings& findings);
 
 }  // namespace gsim::apps

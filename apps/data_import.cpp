@@ -1,7 +1,7 @@
 #include "apps/data_import.h"
 
-#include "apps/error_message.h"
 #include "apps/machine_data_file.h"
+#include "apps/to_error.h"
 #include "base/os/input_file.h"
 #include "cli/exit_status.h"
 #include "cli/print.h"
@@ -12,26 +12,23 @@ namespace gsim::apps {
 namespace {
 
 using engine::ControllerSettings;
-using WriteResult = tl::expected<void, std::string>;
 
-WriteResult write_text(const DataArguments& arguments, const std::string& text) {
+Result<void> write_text(const DataArguments& arguments, const std::string& text) {
     if (!arguments.output.empty()) return replace_text(arguments.output, text, arguments.wait_s);
     print(text);
     return {};
 }
 
-WriteResult write_machine(const DataArguments& arguments, const ControllerSettings& settings) {
-    WriteResult written = write_text(arguments, settings.machine_file());
+Result<void> write_machine(const DataArguments& arguments, const ControllerSettings& settings) {
+    Result<void> written = write_text(arguments, settings.machine_file());
     if (!written || arguments.data.empty()) return written;
-    return settings.machine_data().map_error(error_message).and_then([&](const std::string& data) {
-        return replace_text(arguments.data, data, arguments.wait_s);
-    });
+    return settings.machine_data().map_error(to_error).and_then(
+        [&](const std::string& data) { return replace_text(arguments.data, data, arguments.wait_s); });
 }
 
-WriteResult write_table(const DataArguments& arguments, const ControllerSettings& settings) {
-    return settings.machine_data().map_error(error_message).and_then([&](const std::string& data) {
-        return write_text(arguments, data);
-    });
+Result<void> write_table(const DataArguments& arguments, const ControllerSettings& settings) {
+    return settings.machine_data().map_error(to_error).and_then(
+        [&](const std::string& data) { return write_text(arguments, data); });
 }
 
 }  // namespace
@@ -44,10 +41,10 @@ bool imports_table(const DataArguments& arguments) {
     return ControllerSettings::is_table(import_source(arguments));
 }
 
-tl::expected<int, std::string> import_settings(const DataArguments& arguments, const engine::Machine* machine,
-                                               Findings& findings) {
+Result<int> import_settings(const DataArguments& arguments, const engine::Machine* machine,
+                            Findings& findings) {
     const std::string& source = import_source(arguments);
-    if (source.empty()) return tl::unexpected(std::string("import needs a file: gsim-data import mill.ini"));
+    if (source.empty()) return Unexpected("import requires a file: gsim-data import mill.ini");
     const auto text = os::read_text_file(source, os::NameSource::command_line);
     if (!text) return tl::unexpected(text.error());
     const engine::LengthUnit unit = arguments.inch ? engine::LengthUnit::inch : engine::LengthUnit::mm;
@@ -61,7 +58,7 @@ tl::expected<int, std::string> import_settings(const DataArguments& arguments, c
                       .file = source,
                       .text = "offsets and tools are not written; --data FILE writes them"});
     }
-    const WriteResult written =
+    const Result<void> written =
         imports_table(arguments) ? write_table(arguments, *settings) : write_machine(arguments, *settings);
     return written.map([] { return kSuccess; });
 }

@@ -2,10 +2,9 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
 #include "apps/data_commands.h"
 #include "apps/findings.h"
+#include "base/error.h"
 #include "engine/machine.h"
 
 namespace gsim::apps {
@@ -20,7 +19,7 @@ bool imports_table(const DataArguments& arguments);
 /// Runs gsim-data import: converts the settings of a controller to a machine file, or one of its tables to
 /// machine data for the axes of `machine` (null: X, Y and Z). `findings` receives what is not converted, by
 /// name. Returns the exit status or an error message.
-tl::expected<int, std::string> import_settings(const DataArguments& arguments, const engine::Machine* machine,
-                                               Findings& findings);
+Result<int> import_settings(const DataArguments& arguments, const engine::Machine* machine,
+                            Findings& findings);
 
 }  // namespace gsim::apps

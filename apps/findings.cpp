@@ -20,7 +20,7 @@ int print_error(const std::string& text) {
 int write_output_file(const std::string& name, const std::string& text) {
     const auto written = os::write_file(name, text);
     if (written) return kSuccess;
-    print_error(written.error() + '\n');
+    print_error(written.error().message + '\n');
     return kUsageError;
 }
 
@@ -38,25 +38,25 @@ engine::Diagnostic to_diagnostic(const text::Diagnostic& diagnostic) {
 
 }  // namespace
 
-std::string product_destination(const std::string& output) {
+std::string output_destination(const std::string& output) {
     return output.empty() ? os::kStandardStream : output;
 }
 
-std::optional<std::string> sarif_conflict(const FindingOptions& options, const std::string& product) {
+std::optional<Error> sarif_conflict(const FindingOptions& options, const std::string& product) {
     if (options.sarif != os::kStandardStream || product != os::kStandardStream) return std::nullopt;
-    return "--sarif - and the product both want standard output; give one of them a file";
+    return "--sarif - and the output both use standard output; write one of them to a file";
 }
 
 void add_sarif_option(CommandLine& line, FindingOptions& options) {
     line.add("--sarif", &options.sarif,
-             "write what was found as SARIF too, which code hosts show; - for standard output")
+             "also write the diagnostics as SARIF, for code hosts; - for standard output")
         .takes_file(FileKind::output, {".sarif"});
 }
 
 void add_finding_options(CommandLine& line, FindingOptions& options) {
     line.add("--json", &options.json,
-             "what was found as JSON in place of text: on standard output, or on standard error where the "
-             "product goes to standard output");
+             "print the diagnostics as JSON instead of text: to standard output, or to standard error if the "
+             "output is written to standard output");
     add_sarif_option(line, options);
 }
 
@@ -99,10 +99,10 @@ int Findings::finish(int status, Stream json_stream) {
             status = kUsageError;
         }
     }
-    return finish_reported(status);
+    return finish_sarif_only(status);
 }
 
-int Findings::finish_reported(int status) {
+int Findings::finish_sarif_only(int status) {
     if (options_.sarif.empty()) return status;
     const std::string document = engine::findings_sarif(all_);
     if (options_.sarif == os::kStandardStream) {

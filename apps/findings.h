@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "base/text/diagnostic.h"
 #include "cli/command_line.h"
 #include "engine/diagnostic.h"
@@ -20,10 +21,10 @@ struct FindingOptions {
 };
 
 /// Returns the destination of a program's product: the file that was named, or standard output.
-std::string product_destination(const std::string& output);
-/// Returns a message why SARIF cannot be written to the requested output: the product uses standard output,
+std::string output_destination(const std::string& output);
+/// Returns an error if SARIF cannot be written to the requested output: the product uses standard output,
 /// too.
-std::optional<std::string> sarif_conflict(const FindingOptions& options, const std::string& product);
+std::optional<Error> sarif_conflict(const FindingOptions& options, const std::string& product);
 
 /// Adds --sarif, and --json if the program does not use that option otherwise.
 void add_finding_options(CommandLine& line, FindingOptions& options);
@@ -55,7 +56,7 @@ class Findings {
     /// cannot be written.
     int finish(int status, Stream json_stream);
     /// Does the same if another document (a report) contains the diagnostics: writes SARIF alone.
-    int finish_reported(int status);
+    int finish_sarif_only(int status);
 
     /// Prints a line of text next to the diagnostics, but not with JSON.
     void print_text(const std::string& text) const;

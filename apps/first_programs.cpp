@@ -13,7 +13,7 @@ constexpr std::array<ProgramEntry, 2> kFirstPrograms{{
 
 }  // namespace
 
-FrontPrograms first_programs() {
+ProgramSet first_programs() {
     return {.programs = kFirstPrograms};
 }
 

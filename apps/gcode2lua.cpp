@@ -48,13 +48,13 @@ void add_translate_options(apps::CommandLine& line, TranslateArguments& argument
     line.add("--machine-data", &arguments.request.machine_data, "machine data (NCFILE) with aliases")
         .takes_file(FileKind::input, {".txt"});
     line.begin_group("Output");
-    line.add("-o,--output", &arguments.output, "write the Lua to this file; it appears only if all went well")
+    line.add("-o,--output", &arguments.output, "write the Lua to this file; it is created only on success")
         .takes_file(FileKind::output, {".lua"});
-    line.add("--annotate", &arguments.request.annotate, "each whole source block as a trailing comment");
+    line.add("--annotate", &arguments.request.annotate, "add each source block as a trailing comment");
     line.begin_group("Instead of a translation");
-    line.add("--check", &arguments.check, "only look for errors, write nothing");
+    line.add("--check", &arguments.check, "only check for errors, write nothing");
     line.add("--print-language", &arguments.print_language,
-             "print the reference of both dialects (docs/language.md) and end");
+             "print the reference of both dialects (docs/language.md) and exit");
     line.begin_group("Diagnostics");
     apps::add_finding_options(line, arguments.findings);
     line.begin_group("Limits");
@@ -68,8 +68,8 @@ void add_translate_options(apps::CommandLine& line, TranslateArguments& argument
     line.add_example("gcode2lua --dialect rs274ngc part.ngc | gsim-run -", "translate and run");
 }
 
-tl::expected<void, std::string> write_lua(const engine::Translation& translation, const std::string& path) {
-    tl::expected<os::OutputFile, std::string> file = os::OutputFile::open(path);
+Result<void> write_lua(const engine::Translation& translation, const std::string& path) {
+    Result<os::OutputFile> file = os::OutputFile::open(path);
     if (!file) return tl::unexpected(file.error());
     return translation.write([&](std::string_view part) { return file->write(part); })
         .map_error([](const engine::Error& error) { return error.message; })
@@ -77,8 +77,7 @@ tl::expected<void, std::string> write_lua(const engine::Translation& translation
 }
 
 /// Confines the process after the program was opened, because from here on it needs only the outputs.
-tl::expected<void, std::string> confine_translation(const TranslateArguments& arguments,
-                                                    engine::Translation& translation) {
+Result<void> confine_translation(const TranslateArguments& arguments, engine::Translation& translation) {
     if (arguments.no_confine) return {};
     translation.reserve_space();
     return apps::confine_to({}, std::array{arguments.output, arguments.findings.sarif});
@@ -103,19 +102,19 @@ tl::expected<engine::Translation, engine::Error> open_translation(const Translat
 int translate_program(const TranslateArguments& arguments, apps::Findings& findings) {
     if (!arguments.check) {
         if (const auto conflict =
-                apps::sarif_conflict(findings.options(), apps::product_destination(arguments.output)))
-            return findings.fail(Kind::usage, *conflict);
+                apps::sarif_conflict(findings.options(), apps::output_destination(arguments.output)))
+            return findings.fail(Kind::usage, conflict->message);
     }
     auto translation = open_translation(arguments);
     if (!translation) return findings.fail(translation.error());
     if (auto confined = confine_translation(arguments, *translation); !confined)
-        return findings.fail(Kind::usage, confined.error());
+        return findings.fail(Kind::usage, confined.error().message);
     const auto result =
         translation->make([&](const engine::Diagnostic& diagnostic) { findings.add(diagnostic); });
     if (!result) return result.error().in_program ? apps::kProgramError : findings.fail(result.error());
     if (arguments.check) return apps::kSuccess;
-    const auto written = write_lua(*translation, apps::product_destination(arguments.output));
-    return written ? apps::kSuccess : findings.fail(Kind::output, written.error());
+    const auto written = write_lua(*translation, apps::output_destination(arguments.output));
+    return written ? apps::kSuccess : findings.fail(Kind::output, written.error().message);
 }
 
 int run_translate(const TranslateArguments& arguments) {
@@ -127,7 +126,7 @@ int run_translate(const TranslateArguments& arguments) {
     apps::Findings findings(kGcode2lua, arguments.findings);
     const int status = translate_program(arguments, findings);
     const bool lua_on_standard_output = status == apps::kSuccess && !arguments.check &&
-                                        apps::product_destination(arguments.output) == os::kStandardStream;
+                                        apps::output_destination(arguments.output) == os::kStandardStream;
     return findings.finish(status, lua_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 

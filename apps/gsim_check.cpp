@@ -26,7 +26,7 @@ struct CheckArguments {
     std::vector<std::string> programs;
 };
 
-constexpr const char* kCheck = "gsim-check";
+constexpr const char* kGsimCheck = "gsim-check";
 
 void add_check_options(CommandLine& line, CheckArguments& a) {
     line.add("part.nc|part.lua", &a.programs, "programs and scripts")
@@ -38,13 +38,13 @@ void add_check_options(CommandLine& line, CheckArguments& a) {
     add_limit_options(line, a.run);
     line.add_example("gsim-check part.nc", "errors, limits and zones on the built-in machine");
     line.add_example("gsim-check --machine mine.toml --cell cell.toml *.nc",
-                     "each program on its own, with collisions");
+                     "each program separately, with collisions");
 }
 
 // Warnings are reported, but do not affect the status, except those of the process.
 int check_program(engine::Request request, const engine::Machine& machine, Findings& findings) {
     const std::string program = request.program;
-    const CpuBackstop unchecked_backstop(backstop_limit_s(request.limits.cpu_s));
+    const CpuLimitGuard unchecked_cpu_guard(guard_limit_s(request.limits.cpu_s));
     std::vector<engine::Diagnostic> all;
     auto run = engine::Run::open(std::move(request), machine,
                                  [&](const engine::Diagnostic& diagnostic) { all.push_back(diagnostic); });
@@ -60,14 +60,14 @@ int check_program(engine::Request request, const engine::Machine& machine, Findi
     findings.add_program({report->program, std::string(name(report->status)), report->cycle_time_s});
     if (report->is_file_missing()) return kUsageError;
     if (!report->passes_check()) return kProgramError;
-    findings.print_text(fmt::format("{}: nothing wrong, {:.3f} s\n", report->program, report->cycle_time_s));
+    findings.print_text(fmt::format("{}: no errors, {:.3f} s\n", report->program, report->cycle_time_s));
     return kSuccess;
 }
 
 // Returns the worst status of all programs. A file that cannot be read does not keep the others from being
 // checked.
 int check_programs(const CheckArguments& arguments, Findings& findings) {
-    std::optional<CpuBackstop> backstop(std::in_place, backstop_limit_s(arguments.run.request.limits.cpu_s));
+    std::optional<CpuLimitGuard> cpu_guard(std::in_place, guard_limit_s(arguments.run.request.limits.cpu_s));
     engine::Request request = make_request(arguments.run);
     request.host = engine::make_system_host();
     // The machine is read once, before the confinement, because the files that it names may lie anywhere.
@@ -81,8 +81,8 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
         programs.push_back(request.host.find(engine::NameKind::sample, program).value_or(program));
     request.machine_data = machine->machine_data_file();
     if (auto confined = confine_run(arguments.run, request, programs); !confined)
-        return findings.fail(text::DiagnosticKind::usage, confined.error());
-    backstop.reset();
+        return findings.fail(text::DiagnosticKind::usage, confined.error().message);
+    cpu_guard.reset();
     int status = kSuccess;
     for (const std::string& program : programs) {
         request.program = program;
@@ -92,7 +92,7 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
 }
 
 int run_check(const CheckArguments& arguments) {
-    Findings findings(kCheck, arguments.run.findings, Findings::Stream::standard_output);
+    Findings findings(kGsimCheck, arguments.run.findings, Findings::Stream::standard_output);
     return findings.finish(check_programs(arguments, findings), Findings::Stream::standard_output);
 }
 
@@ -100,8 +100,8 @@ int run_check(const CheckArguments& arguments) {
 
 std::unique_ptr<Program> make_gsim_check() {
     return std::make_unique<ProgramWithArguments<CheckArguments>>(
-        kCheck, "Finds what is wrong with part programs on a machine: errors, limits, zones, collisions",
-        add_check_options, run_check);
+        kGsimCheck, "Checks part programs on a machine: errors, limits, zones, collisions", add_check_options,
+        run_check);
 }
 
 }  // namespace gsim::apps

@@ -40,35 +40,37 @@ void add_set(apps::CommandLine& line, DataArguments& a) {
     apps::CommandLine& set = add_data_command(line, a, "set", DataCommand::set,
                                               "change an entry, or add it to the end of its section");
     add_entry(set, a);
-    set.add("FIELD=VALUE", &a.changes, "such as X=200.5; an empty value takes it away").make_required();
+    set.add("FIELD=VALUE", &a.changes, "such as X=200.5; an empty value removes it").make_required();
     add_units(set, a, "the lengths are inches; an entry in mm is converted",
               "the lengths are mm; an entry in inches is converted");
-    set.add("--create", &a.create, "begin a new file where there is none");
+    set.add("--create", &a.create, "create the file if it does not exist");
 }
 
 void add_convert(apps::CommandLine& line, DataArguments& a) {
     using apps::FileKind;
     apps::CommandLine& convert = add_data_command(line, a, "convert", DataCommand::convert,
-                                                  "to one unit, to JSON (--json), or from JSON");
+                                                  "convert to one unit, to JSON (--json), or from JSON");
     add_units(convert, a, "all lengths in inches", "all lengths in mm");
-    convert.add("--from-json", &a.from_json, "make the file from this JSON")
+    convert.add("--from-json", &a.from_json, "create the file from this JSON")
         .takes_file(FileKind::input, {".json"});
-    convert.add("-o,--output", &a.output, "write here, not over the file (or, for JSON, to standard output)")
+    convert
+        .add("-o,--output", &a.output,
+             "write to this file instead of FILE (or, for JSON, instead of standard output)")
         .takes_file(FileKind::output);
 }
 
 void add_import(apps::CommandLine& line, DataArguments& a) {
     using apps::FileKind;
     apps::CommandLine& command = add_data_command(line, a, "import", DataCommand::import,
-                                                  "a machine file from a LinuxCNC .ini or from what grbl "
-                                                  "answers to $$; machine data from a .tbl or .var");
-    command.add("SETTINGS", &a.source, "the .ini, .tbl or .var file, or grbl's answers as text")
+                                                  "import a machine file from a LinuxCNC .ini or from grbl's "
+                                                  "response to $$; machine data from a .tbl or .var");
+    command.add("SETTINGS", &a.source, "the .ini, .tbl or .var file, or grbl's response as text")
         .takes_file(FileKind::input, {".ini", ".tbl", ".var", ".txt"});
-    command.add("-o,--output", &a.output, "write here, not to standard output")
+    command.add("-o,--output", &a.output, "write to this file instead of standard output")
         .takes_file(FileKind::output, {".toml", ".txt"});
     command.add("--data", &a.data, "write the offsets and tools that a machine's settings name to this file")
         .takes_file(FileKind::output, {".txt"});
-    add_units(command, a, "lengths of a .tbl or .var are inches", "they are mm");
+    add_units(command, a, "lengths of a .tbl or .var are inches", "lengths of a .tbl or .var are mm");
 }
 
 void add_examples(apps::CommandLine& line) {
@@ -79,20 +81,20 @@ void add_examples(apps::CommandLine& line) {
     line.add_example("gsim-data jet.txt set TOOL 2 LENGTH=2 DIAMETER=0.04 KIND=JET --inch --create",
                      "add a tool");
     line.add_example("gsim-data jet.txt reset OFFSET 54", "set an offset to zero");
-    line.add_example("gsim-data jet.txt check --machine mine.toml", "what cannot be right on this machine");
+    line.add_example("gsim-data jet.txt check --machine mine.toml", "errors in the data on this machine");
     line.add_example("gsim-data jet.txt convert --json", "for other programs");
     line.add_example("gsim-data import mill.ini -o mill.toml --data mill.txt",
-                     "a machine file from LinuxCNC's");
+                     "a machine file from a LinuxCNC .ini");
 }
 
 void add_data_options(apps::CommandLine& line, DataArguments& a) {
     line.add("FILE", &a.file, "machine data (NCFILE)").takes_file(apps::FileKind::changed, {".txt"});
     line.begin_group("Options of all commands");
     line.add("--machine", &a.machine,
-             "machine file (TOML): names the axes behind X, Y and Z, and has ranges to check")
+             "machine file (TOML): names of the axes after X, Y and Z, and axis ranges to check")
         .takes_file(apps::FileKind::input, {".toml"});
     line.add("--json", &a.findings.json,
-             "list, get, convert: print JSON; what a check finds, and mistakes, as JSON too");
+             "list, get, convert: print JSON; errors, and results of check, are JSON too");
     apps::add_sarif_option(line, a.findings);
     apps::add_wait_option(line, a.wait_s);
     apps::add_confine_option(line, a.no_confine);
@@ -104,13 +106,12 @@ void add_data_options(apps::CommandLine& line, DataArguments& a) {
     get.add("FIELD", &a.field, "such as X or LENGTH");
     add_set(line, a);
     add_entry(add_data_command(line, a, "reset", DataCommand::reset,
-                               "set the values of an entry to 0; an alias or a zone goes away"),
+                               "set the values of an entry to 0; an alias or a zone is removed"),
               a);
     add_section(add_data_command(line, a, "reset-all", DataCommand::reset_all,
                                  "reset all entries, or those of a section"),
                 a);
-    add_data_command(line, a, "check", DataCommand::check,
-                     "print errors and what is suspect, with line and column");
+    add_data_command(line, a, "check", DataCommand::check, "print errors and warnings, with line and column");
     add_convert(line, a);
     add_import(line, a);
     add_examples(line);
@@ -122,8 +123,9 @@ int run_data(const DataArguments& arguments) {
     const bool command_reported =
         status && arguments.command != DataCommand::check;  // prints its own JSON, or none
     const int code =
-        status ? *status : findings.fail(text::DiagnosticKind::input_file, status.error(), arguments.file);
-    return command_reported ? findings.finish_reported(code)
+        status ? *status
+               : findings.fail(text::DiagnosticKind::input_file, status.error().message, arguments.file);
+    return command_reported ? findings.finish_sarif_only(code)
                             : findings.finish(code, apps::Findings::Stream::standard_output);
 }
 

@@ -32,7 +32,6 @@ namespace {
 
 using namespace gsim;
 using apps::RunArguments;
-using engine::Error;
 using engine::Report;
 
 constexpr const char* kGsimRun = "gsim-run";
@@ -48,17 +47,17 @@ class Run {
     int run() {
         const bool checks_limit = !arguments_.studies.any();
         const double cpu_s = arguments_.request.limits.cpu_s;
-        const apps::CpuBackstop cpu(checks_limit ? apps::backstop_limit_s(cpu_s) : cpu_s);
+        const apps::CpuLimitGuard cpu(checks_limit ? apps::guard_limit_s(cpu_s) : cpu_s);
         const int status = run_requested();
         // A report already contains all diagnostics.
-        return is_reported_ ? findings_.finish_reported(status)
+        return is_reported_ ? findings_.finish_sarif_only(status)
                             : findings_.finish(status, apps::Findings::Stream::standard_output);
     }
 
   private:
     int run_requested() {
-        if (const std::string contradiction = find_contradiction(arguments_); !contradiction.empty())
-            return findings_.fail(text::DiagnosticKind::usage, contradiction);
+        if (const auto contradiction = find_contradiction(arguments_))
+            return findings_.fail(text::DiagnosticKind::usage, contradiction->message);
         engine::Request request = make_request(arguments_);
         request.host =
             engine::make_system_host(arguments_.module_in_process ? engine::ModuleProcess::this_process
@@ -81,10 +80,10 @@ class Run {
             return apps::kSuccess;
         }
         if (!arguments_.studies.any())
-            return findings_.fail(text::DiagnosticKind::usage, "no program given; gsim-run --help tells how");
+            return findings_.fail(text::DiagnosticKind::usage, "no program given; see gsim-run --help");
         const auto report_end = apps::run_studies(
             arguments_.studies, *machine, {.json = arguments_.findings.json, .quiet = arguments_.quiet});
-        if (!report_end) return findings_.fail(text::DiagnosticKind::input_file, report_end.error());
+        if (!report_end) return findings_.fail(text::DiagnosticKind::input_file, report_end.error().message);
         is_reported_ = true;
         return *report_end;
     }
@@ -104,22 +103,22 @@ class Run {
             std::move(request), [this](const engine::Diagnostic& reported) { report_diagnostic(reported); });
         if (!run) return findings_.fail(run.error());
         if (const auto conflict = apps::output_conflict(arguments_, *run))
-            return findings_.fail(text::DiagnosticKind::input_file, *conflict);
+            return findings_.fail(text::DiagnosticKind::input_file, conflict->message);
         if (auto locked = persistent_files_.lock(arguments_, *run); !locked)
-            return findings_.fail(text::DiagnosticKind::output, locked.error());
+            return findings_.fail(text::DiagnosticKind::output, locked.error().message);
         if (const std::string& page = arguments_.outputs.view; !page.empty()) {
             auto opened = apps::ViewPage::open(page);
-            if (!opened) return findings_.fail(text::DiagnosticKind::output, opened.error());
+            if (!opened) return findings_.fail(text::DiagnosticKind::output, opened.error().message);
             view_ = *std::move(opened);
         }
         if (auto confined = apps::confine_run(arguments_, run->request(), {&run->request().program, 1});
             !confined)
-            return findings_.fail(text::DiagnosticKind::usage, confined.error());
+            return findings_.fail(text::DiagnosticKind::usage, confined.error().message);
         if (auto prepared = run->prepare(); !prepared) return report_program_error(*run, prepared.error());
         return simulate(*run);
     }
 
-    int report_program_error(const engine::Run& run, const Error& error) {
+    int report_program_error(const engine::Run& run, const engine::Error& error) {
         if (!error.in_program) return findings_.fail(error);
         if (!arguments_.findings.json) return apps::kProgramError;
         return report_end(run.make_report(error), apps::kProgramError);
@@ -128,12 +127,12 @@ class Run {
     /// Runs the program that was read, and writes the requested outputs.
     int simulate(engine::Run& run) {
         auto outputs = apps::RunOutputs::open(arguments_, run);
-        if (!outputs) return findings_.fail(text::DiagnosticKind::output, outputs.error());
+        if (!outputs) return findings_.fail(text::DiagnosticKind::output, outputs.error().message);
         if (auto checked_files = persistent_files_.check(arguments_); !checked_files)
-            return findings_.fail(text::DiagnosticKind::output, checked_files.error());
+            return findings_.fail(text::DiagnosticKind::output, checked_files.error().message);
         if (view_ != nullptr) {
             if (auto attached = view_->attach(run); !attached)
-                return findings_.fail(text::DiagnosticKind::output, attached.error());
+                return findings_.fail(text::DiagnosticKind::output, attached.error().message);
         }
         run.on_progress([this](std::uint64_t done, std::uint64_t total) { progress_.update(done, total); });
         const auto report = run.go();
@@ -144,9 +143,10 @@ class Run {
         if (written) written = outputs->commit(*report);
         if (written && view_ != nullptr) written = view_->commit();
         if (written) written = persistent_files_.write(arguments_, run);
-        if (!written) return report_output_error(*report, "output", written.error(), apps::kUsageError);
+        if (!written)
+            return report_output_error(*report, "output", written.error().message, apps::kUsageError);
         if (auto path = apps::document_error(run, "path"); !path)
-            return report_output_error(*report, "path", path.error(), apps::kProgramError);
+            return report_output_error(*report, "path", path.error().message, apps::kProgramError);
         return report_end(*report, report_status(*report));
     }
 
@@ -209,6 +209,6 @@ int run_simulation(const RunArguments& given) {
 
 std::unique_ptr<apps::Program> apps::make_gsim_run() {
     return std::make_unique<ProgramWithArguments<RunArguments>>(
-        kGsimRun, "Simulates a script or a part program: cycle time, moves, trajectory, what goes wrong",
+        kGsimRun, "Simulates a script or a part program: cycle time, moves, trajectory, errors",
         add_run_options, run_simulation);
 }

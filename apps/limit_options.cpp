@@ -5,24 +5,23 @@
 namespace gsim::apps {
 
 void add_cpu_option(CommandLine& line, double& seconds) {
-    line.add("--max-cpu-seconds", &seconds, "end after this many seconds of processor time, wherever it is")
+    line.add("--max-cpu-seconds", &seconds, "exit after this many seconds of processor time")
         .with_value_name("SECONDS")
         .make_positive()
         .show_default();
 }
 
-CpuBackstop::CpuBackstop(double seconds)
-    : limit_(seconds, "error: the processor time that --max-cpu-seconds allows is used up\n", kProgramError) {
-}
+CpuLimitGuard::CpuLimitGuard(double seconds)
+    : limit_(seconds, "error: the processor time exceeds --max-cpu-seconds\n", kProgramError) {}
 
-double backstop_limit_s(double seconds) {
+double guard_limit_s(double seconds) {
     constexpr double kTimeFactor = 1.25;
     constexpr double kMinMargin_s = 2;
     return kTimeFactor * seconds + kMinMargin_s;
 }
 
 void add_memory_option(CommandLine& line, std::uint64_t& megabytes) {
-    line.add("--memory", &megabytes, "memory that scripts may use, with their texts and what they make")
+    line.add("--memory", &megabytes, "max memory of scripts, including their source and data")
         .with_value_name("MB")
         .within(16, 1 << 20U)
         .show_default();

@@ -16,17 +16,17 @@ inline constexpr std::uint64_t kDefaultMemory_mb = engine::Limits{}.memory_bytes
 void add_cpu_option(CommandLine& line, double& seconds);
 /// Guard that enforces --max-cpu-seconds if no code checks the limit and knows the source location; see
 /// os::ProcessCpuLimit.
-class CpuBackstop {
+class CpuLimitGuard {
   public:
-    explicit CpuBackstop(double seconds);
+    explicit CpuLimitGuard(double seconds);
 
   private:
     os::ProcessCpuLimit limit_;
 };
 
-/// Returns the seconds for the CpuBackstop of a run that checks the limit itself and, if it can, reports the
-/// source location.
-double backstop_limit_s(double seconds);
+/// Returns the seconds for the CpuLimitGuard of a run that checks the limit itself and, if it can, reports
+/// the source location.
+double guard_limit_s(double seconds);
 
 /// Adds --memory in the same group.
 void add_memory_option(CommandLine& line, std::uint64_t& megabytes);

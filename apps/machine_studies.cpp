@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/error_message.h"
+#include "apps/to_error.h"
 #include "base/os/output_file.h"
 #include "base/text/letter_case.h"
 #include "base/text/printable.h"
@@ -30,8 +30,8 @@ std::optional<EnvelopeKind> envelope_kind(const std::string& file) {
     return std::nullopt;
 }
 
-tl::expected<int, std::string> print_check(const engine::Machine& machine, const StudyOutput& output) {
-    return machine.check().map_error(error_message).map([&](const engine::MachineCheck& found) {
+Result<int> print_check(const engine::Machine& machine, const StudyOutput& output) {
+    return machine.check().map_error(to_error).map([&](const engine::MachineCheck& found) {
         if (output.json) {
             print(found.json);
         } else if (!output.quiet) {
@@ -41,15 +41,16 @@ tl::expected<int, std::string> print_check(const engine::Machine& machine, const
     });
 }
 
-tl::expected<void, std::string> write_envelopes(const std::vector<std::string>& files,
-                                                engine::Machine& machine, const StudyOutput& output) {
+Result<void> write_envelopes(const std::vector<std::string>& files, engine::Machine& machine,
+                             const StudyOutput& output) {
     for (const std::string& file : files) {
         if (!envelope_kind(file))
-            return tl::unexpected(fmt::format("{}: an envelope's file ends in .stl, .csv or .svg", file));
+            return Unexpected(
+                fmt::format("{}: the file of an envelope must end in .stl, .csv or .svg", file));
         if (auto writable = os::OutputFile::check(file); !writable) return writable;
     }
     for (const std::string& file : files) {
-        const auto contents = machine.envelope(*envelope_kind(file)).map_error(error_message);
+        const auto contents = machine.envelope(*envelope_kind(file)).map_error(to_error);
         if (!contents) return tl::unexpected(contents.error());
         if (auto written = os::write_file(file, *contents); !written) return written;
     }
@@ -57,34 +58,30 @@ tl::expected<void, std::string> write_envelopes(const std::vector<std::string>& 
     return {};
 }
 
-tl::expected<void, std::string> draw_axes(const std::string& file, const engine::Machine& machine) {
+Result<void> draw_axes(const std::string& file, const engine::Machine& machine) {
     if (file_extension(file) != ".svg")
-        return tl::unexpected(fmt::format("{}: the picture of the axes is a file that ends in .svg", file));
-    return machine.axes_svg().map_error(error_message).and_then([&](const std::string& svg) {
-        return os::write_file(file, svg);
-    });
+        return Unexpected(fmt::format("{}: the picture of the axes must be a file that ends in .svg", file));
+    return machine.axes_svg().map_error(to_error).and_then(
+        [&](const std::string& svg) { return os::write_file(file, svg); });
 }
 
 }  // namespace
 
 void add_study_options(CommandLine& line, MachineStudies& studies) {
-    line.add(
-            "--check-machine", &studies.check,
-            "check this machine file, without a program: limits, inverse, singular ranges, collisions of its "
-            "bodies (with --cell: of the cell's) whatever the joints do")
+    line.add("--check-machine", &studies.check,
+             "check this machine file, without a program: limits, inverse, singular ranges, collisions of "
+             "its bodies (with --cell: of the cell's) for all joint values")
         .takes_file(FileKind::input, {".toml"});
-    line.add(
-            "--envelope", &studies.envelopes,
-            "write what the tool's tip can reach, without a program, to this .stl file (the volume), .csv or "
-            ".svg file (for each pair of joints); may be given several times")
+    line.add("--envelope", &studies.envelopes,
+             "write the range of the TCP, without a program, to this .stl file (the volume), .csv or .svg "
+             "file (for each pair of joints); may be given more than once")
         .takes_file(FileKind::output, {".stl", ".csv", ".svg"});
     line.add("--draw-axes", &studies.axes,
-             "draw which way each axis moves the tool, without a program, into this .svg file")
+             "draw the direction in which each axis moves the tool, without a program, to this .svg file")
         .takes_file(FileKind::output, {".svg"});
 }
 
-tl::expected<int, std::string> run_studies(const MachineStudies& studies, engine::Machine& machine,
-                                           const StudyOutput& output) {
+Result<int> run_studies(const MachineStudies& studies, engine::Machine& machine, const StudyOutput& output) {
     int status = kSuccess;
     if (!studies.check.empty()) {
         auto checked = print_check(machine, output);

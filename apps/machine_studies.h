@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cli/command_line.h"
 #include "engine/machine.h"
 
@@ -29,7 +28,6 @@ struct StudyOutput {
 
 /// Runs the requested studies: prints the check and writes the envelopes. Returns the exit status; the error
 /// is a message about files.
-tl::expected<int, std::string> run_studies(const MachineStudies& studies, engine::Machine& machine,
-                                           const StudyOutput& output);
+Result<int> run_studies(const MachineStudies& studies, engine::Machine& machine, const StudyOutput& output);
 
 }  // namespace gsim::apps

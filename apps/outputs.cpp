@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "apps/error_message.h"
+#include "apps/to_error.h"
 
 namespace gsim::apps {
 
@@ -42,9 +42,9 @@ bool OutputNames::on_standard_output() const {
                        [this](const File& file) { return this->*file.name == os::kStandardStream; });
 }
 
-std::optional<std::string> OutputNames::conflict() const {
+std::optional<Error> OutputNames::conflict() const {
     if (plot == os::kStandardStream)
-        return "--plot needs the name of a file, whose ending says which kind of picture it is";
+        return "--plot requires a file name, whose extension selects the type of picture";
     return std::nullopt;
 }
 
@@ -59,14 +59,14 @@ OutputNames OutputNames::for_robot(const std::string& robot) const {
     return robot_names;
 }
 
-tl::expected<OutputFile*, std::string> Outputs::add_file(const std::string& name) {
+Result<OutputFile*> Outputs::add_file(const std::string& name) {
     return OutputFile::open(name).map([this](OutputFile file) {
         return files_.emplace_back(std::make_unique<OutputFile>(std::move(file))).get();
     });
 }
 
-tl::expected<std::unique_ptr<Outputs>, std::string> Outputs::open(const OutputNames& names, engine::Run& run,
-                                                                  std::size_t robot) {
+Result<std::unique_ptr<Outputs>> Outputs::open(const OutputNames& names, engine::Run& run,
+                                               std::size_t robot) {
     std::unique_ptr<Outputs> outputs(new Outputs(names));
     for (const OutputNames::File& file : OutputNames::files()) {
         const std::string& name = names.*file.name;
@@ -78,18 +78,17 @@ tl::expected<std::unique_ptr<Outputs>, std::string> Outputs::open(const OutputNa
     return outputs;
 }
 
-tl::expected<void, std::string> Outputs::add(OutputKind output_kind, const std::string& name,
-                                             engine::Run& run, std::size_t robot) {
+Result<void> Outputs::add(OutputKind output_kind, const std::string& name, engine::Run& run,
+                          std::size_t robot) {
     auto sink = open_sink(output_kind, name);
     if (!sink) return tl::unexpected(sink.error());
     engine::OutputOptions options = names_.options;
     options.name = name;
     options.bitmap = picture_ && picture_->bitmap();
-    return run.write(output_kind, *std::move(sink), options, robot).map_error(error_message);
+    return run.write(output_kind, *std::move(sink), options, robot).map_error(to_error);
 }
 
-tl::expected<engine::TextSink, std::string> Outputs::open_sink(OutputKind output_kind,
-                                                               const std::string& name) {
+Result<engine::TextSink> Outputs::open_sink(OutputKind output_kind, const std::string& name) {
     if (output_kind == OutputKind::plot) {
         auto picture = engine::Picture::picture_for_file(name);
         if (!picture) return tl::unexpected(picture.error());
@@ -105,7 +104,7 @@ tl::expected<engine::TextSink, std::string> Outputs::open_sink(OutputKind output
         return [this, name, file = static_cast<OutputFile*>(nullptr)](std::string_view text) mutable {
             if (file == nullptr && error_.empty()) {
                 auto opened = add_file(name);
-                if (!opened) error_ = opened.error();
+                if (!opened) error_ = opened.error().message;
                 if (opened) file = *opened;
             }
             return file != nullptr && file->write(text);
@@ -116,7 +115,7 @@ tl::expected<engine::TextSink, std::string> Outputs::open_sink(OutputKind output
     });
 }
 
-tl::expected<void, std::string> Outputs::write_report(const engine::Report& report) {
+Result<void> Outputs::write_report(const engine::Report& report) {
     if (names_.report.empty()) return {};
     return add_file(names_.report).map([&](OutputFile* file) {
         file->write(report.json());
@@ -124,7 +123,7 @@ tl::expected<void, std::string> Outputs::write_report(const engine::Report& repo
     });
 }
 
-tl::expected<void, std::string> Outputs::commit(const engine::Report& report) {
+Result<void> Outputs::commit(const engine::Report& report) {
     if (!error_.empty()) return tl::unexpected(error_);
     if (auto written = write_report(report); !written) return written;
     for (const auto& file : files_) {
@@ -133,7 +132,7 @@ tl::expected<void, std::string> Outputs::commit(const engine::Report& report) {
     for (const auto& file : files_) {
         if (auto committed = file->commit(); !committed) return committed;
     }
-    return picture_ ? picture_->draw(plot_script_) : tl::expected<void, std::string>();
+    return picture_ ? picture_->draw(plot_script_) : Result<void>();
 }
 
 }  // namespace gsim::apps

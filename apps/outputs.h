@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/output_file.h"
 #include "engine/run.h"
 #include "engine/system/picture.h"
@@ -35,8 +34,8 @@ struct OutputNames {
     bool any() const;
     /// Returns true if an output uses standard output.
     bool on_standard_output() const;
-    /// Returns a message if the request cannot be met: a picture on standard output.
-    std::optional<std::string> conflict() const;
+    /// Returns an error if the request cannot be met: a picture on standard output.
+    std::optional<Error> conflict() const;
     /// Returns the names for one of several robots: each robot has separate files, "moves.left.jsonl", except
     /// the report and the page.
     OutputNames for_robot(const std::string& robot) const;
@@ -47,22 +46,21 @@ class Outputs {
   public:
     /// Opens the outputs; the error is a message. Names that would prevent writing are reported here, not
     /// after the run. `run` is prepared, and delivers its documents to the result.
-    static tl::expected<std::unique_ptr<Outputs>, std::string> open(const OutputNames& names,
-                                                                    engine::Run& run, std::size_t robot = 0);
+    static Result<std::unique_ptr<Outputs>> open(const OutputNames& names, engine::Run& run,
+                                                 std::size_t robot = 0);
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /// Writes report and picture after the run, and gives all files their names. The error is a message.
-    tl::expected<void, std::string> commit(const engine::Report& report);
+    /// Writes report and picture after the run, and gives all files their names.
+    Result<void> commit(const engine::Report& report);
 
   private:
     explicit Outputs(const OutputNames& names) : names_(names) {}
-    tl::expected<void, std::string> add(engine::OutputKind output_kind, const std::string& name,
-                                        engine::Run& run, std::size_t robot);
-    tl::expected<engine::TextSink, std::string> open_sink(engine::OutputKind output_kind,
-                                                          const std::string& name);
-    tl::expected<os::OutputFile*, std::string> add_file(const std::string& name);
-    tl::expected<void, std::string> write_report(const engine::Report& report);
+    Result<void> add(engine::OutputKind output_kind, const std::string& name, engine::Run& run,
+                     std::size_t robot);
+    Result<engine::TextSink> open_sink(engine::OutputKind output_kind, const std::string& name);
+    Result<os::OutputFile*> add_file(const std::string& name);
+    Result<void> write_report(const engine::Report& report);
 
     OutputNames names_;
     std::vector<std::unique_ptr<os::OutputFile>> files_;

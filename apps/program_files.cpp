@@ -13,38 +13,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::optional<std::string> check_subprogram_file(const fs::path& path,
-                                                 const std::vector<UsedFile>& used_files, bool overwrite) {
+std::optional<Error> find_subprogram_file_error(const fs::path& path, const std::vector<UsedFile>& used_files,
+                                                bool overwrite) {
     const std::string name = path.string();
     const auto identity = os::file_identity(path);
     for (const UsedFile& file : used_files) {
         if (file.path.empty() || !identity || identity != os::file_identity(file.path)) continue;
         return fmt::format(
-            "the post calls the file of a subprogram '{}', which is {}; give the output another name or "
-            "another folder",
+            "the subprogram file '{}' of the post is also {}; choose another name or folder for the output",
             name, file.what);
     }
     std::error_code ignored;
     const fs::file_status status = fs::symlink_status(path, ignored);
     if (!fs::exists(status)) return std::nullopt;
     if (!fs::is_regular_file(status)) {
-        return fmt::format("the post calls the file of a subprogram '{}', which is there and no regular file",
-                           name);
+        return fmt::format("the subprogram file '{}' of the post exists and is not a regular file", name);
     }
     if (overwrite) return std::nullopt;
-    return fmt::format(
-        "the post calls the file of a subprogram '{}', which is there already; --overwrite replaces it",
-        name);
+    return fmt::format("the subprogram file '{}' of the post already exists; --overwrite replaces it", name);
 }
 
 }  // namespace
 
-tl::expected<ProgramFiles, std::string> ProgramFiles::open(const fs::path& main,
-                                                           const std::vector<std::string>& subprogram_files,
-                                                           const std::vector<UsedFile>& used_files,
-                                                           bool overwrite) {
+Result<ProgramFiles> ProgramFiles::open(const fs::path& main,
+                                        const std::vector<std::string>& subprogram_files,
+                                        const std::vector<UsedFile>& used_files, bool overwrite) {
     for (const std::string& name : subprogram_files) {
-        if (auto message = check_subprogram_file(main.parent_path() / name, used_files, overwrite))
+        if (auto message = find_subprogram_file_error(main.parent_path() / name, used_files, overwrite))
             return tl::unexpected(*std::move(message));
     }
     ProgramFiles files;
@@ -59,15 +54,15 @@ tl::expected<ProgramFiles, std::string> ProgramFiles::open(const fs::path& main,
     return files;
 }
 
-tl::expected<void, std::string> ProgramFiles::add(const std::string& name, const fs::path& path,
-                                                  os::ExistingFilePolicy existing) {
+Result<void> ProgramFiles::add(const std::string& name, const fs::path& path,
+                               os::ExistingFilePolicy existing) {
     auto file = os::OutputFile::open(path, existing);
     if (!file) return tl::unexpected(file.error());
     files_.emplace(name, std::move(*file));
     return {};
 }
 
-tl::expected<void, std::string> ProgramFiles::commit() {
+Result<void> ProgramFiles::commit() {
     for (auto& [name, file] : files_) {
         if (auto flushed = file.prepare_commit(); !flushed) return flushed;
     }

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/output_file.h"
 
 namespace gsim::apps {
@@ -23,19 +22,18 @@ struct UsedFile {
 class ProgramFiles {
   public:
     /// Opens the main file and the additional ones. The latter replace no file that is `taken`, nor, without
-    /// `overwrite`, any other one. The error is a message.
-    static tl::expected<ProgramFiles, std::string> open(const std::filesystem::path& main,
-                                                        const std::vector<std::string>& subprogram_files,
-                                                        const std::vector<UsedFile>& used_files,
-                                                        bool overwrite);
+    /// `overwrite`, any other one.
+    static Result<ProgramFiles> open(const std::filesystem::path& main,
+                                     const std::vector<std::string>& subprogram_files,
+                                     const std::vector<UsedFile>& used_files, bool overwrite);
 
     /// Returns the file with this name; empty: the main one.
     os::OutputFile& file(const std::string& name) { return files_.at(name); }
-    tl::expected<void, std::string> commit();
+    Result<void> commit();
 
   private:
-    tl::expected<void, std::string> add(const std::string& name, const std::filesystem::path& path,
-                                        os::ExistingFilePolicy existing);
+    Result<void> add(const std::string& name, const std::filesystem::path& path,
+                     os::ExistingFilePolicy existing);
 
     std::map<std::string, os::OutputFile> files_;
 };

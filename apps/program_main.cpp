@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/front.h"
+#include "apps/program_dispatcher.h"
 #include "base/os/standard_streams.h"
 #include "base/os/temporary_name.h"
 #include "cli/out_of_memory.h"
@@ -11,12 +11,12 @@
 
 namespace gsim::apps {
 
-int program_main(const FrontPrograms& front, int argc, char** argv) {
+int program_main(const ProgramSet& front, int argc, char** argv) {
     exit_on_out_of_memory();
     os::reserve_standard_streams();
     os::remove_temporaries_at_signals();
     const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
-    return finish_standard_output(run_front(front, argc > 0 ? argv[0] : "", arguments));
+    return finish_standard_output(dispatch_program(front, argc > 0 ? argv[0] : "", arguments));
 }
 
 }  // namespace gsim::apps

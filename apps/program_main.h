@@ -6,6 +6,6 @@ namespace gsim::apps {
 
 /// Runs the main function of an executable that offers these programs. The name that it is called by, or the
 /// first argument, selects the program.
-int program_main(const FrontPrograms& front, int argc, char** argv);
+int program_main(const ProgramSet& front, int argc, char** argv);
 
 }  // namespace gsim::apps

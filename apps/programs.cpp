@@ -20,7 +20,7 @@ constexpr std::array<ProgramEntry, 7> kPrograms{{
 
 }  // namespace
 
-FrontPrograms all_programs() {
+ProgramSet all_programs() {
     return {.programs = kPrograms, .studio_handler = handle_studio_request};
 }
 

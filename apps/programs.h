@@ -26,16 +26,16 @@ struct ProgramEntry {
 };
 
 /// Programs that one executable offers.
-struct FrontPrograms {
+struct ProgramSet {
     std::span<const ProgramEntry> programs;  ///< Those that people begin with first.
     /// Handles requests of gsim-serve, its only caller; null if this executable does not.
     int (*studio_handler)(std::span<const std::string> arguments) = nullptr;
 };
 
 /// Returns all programs of gsim.
-FrontPrograms all_programs();
+ProgramSet all_programs();
 
 /// Returns the programs for translation and simulation, which `make run` builds first.
-FrontPrograms first_programs();
+ProgramSet first_programs();
 
 }  // namespace gsim::apps

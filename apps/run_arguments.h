@@ -8,6 +8,7 @@
 #include "apps/machine_data_file.h"
 #include "apps/machine_studies.h"
 #include "apps/outputs.h"
+#include "base/error.h"
 #include "cli/command_line.h"
 #include "engine/request.h"
 
@@ -39,7 +40,7 @@ void add_machine_options(CommandLine& line, RunArguments& arguments);
 /// Adds those options that limit a run.
 void add_limit_options(CommandLine& line, RunArguments& arguments);
 
-/// Returns a message why options contradict each other; empty if they do not.
-std::string find_contradiction(const RunArguments& arguments);
+/// Returns an error if options contradict each other.
+std::optional<Error> find_contradiction(const RunArguments& arguments);
 
 }  // namespace gsim::apps

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/error_message.h"
 #include "apps/machine_data_file.h"
+#include "apps/to_error.h"
 #include "base/os/file_identity.h"
 #include "base/os/output_file.h"
 
@@ -33,8 +33,7 @@ std::vector<WrittenFile> written_files(const RunArguments& arguments, const Outp
     return written;
 }
 
-std::optional<std::string> conflict(const std::vector<WrittenFile>& written,
-                                    const engine::Run::NamedFile& file) {
+std::optional<Error> conflict(const std::vector<WrittenFile>& written, const engine::Run::NamedFile& file) {
     const auto identity = os::file_identity(file.name);
     if (!identity) return std::nullopt;
     for (const WrittenFile& output : written) {
@@ -43,7 +42,7 @@ std::optional<std::string> conflict(const std::vector<WrittenFile>& written,
             return fmt::format("{} '{}' is {}, which would be overwritten; give it another name",
                                output.option, output.name, file.what);
         }
-        return fmt::format("'{}', of the robot {}, is {}, too; give one of them another name", output.name,
+        return fmt::format("'{}' of the robot {} is also {}; give one of them another name", output.name,
                            file.robot, file.what);
     }
     return std::nullopt;
@@ -55,9 +54,9 @@ std::vector<engine::Run::NamedFile> protected_files(const RunArguments& argument
     std::vector<engine::Run::NamedFile> others = {
         {arguments.outputs.report, "the report", robot},
         {arguments.outputs.view, "the page", robot},
-        {arguments.findings.sarif, "the findings", robot},
+        {arguments.findings.sarif, "the file of --sarif", robot},
         {arguments.request.program, "the program", robot},
-        {arguments.request.robots, "the file of robots", robot},
+        {arguments.request.robots, "the robots file", robot},
         {arguments.request.setup, "the setup", robot},
     };
     for (engine::Run::NamedFile& file : run.named_files()) {
@@ -68,7 +67,7 @@ std::vector<engine::Run::NamedFile> protected_files(const RunArguments& argument
 
 }  // namespace
 
-std::optional<std::string> output_conflict(const RunArguments& arguments, const engine::Run& run) {
+std::optional<Error> output_conflict(const RunArguments& arguments, const engine::Run& run) {
     if (arguments.request.robots.empty()) {
         const auto written = written_files(arguments, arguments.outputs);
         for (const auto& file : run.named_files()) {
@@ -91,14 +90,14 @@ std::optional<std::string> output_conflict(const RunArguments& arguments, const 
     return std::nullopt;
 }
 
-tl::expected<void, std::string> document_error(const engine::Run& run, const std::string& code) {
+Result<void> document_error(const engine::Run& run, const std::string& code) {
     for (const engine::Error& failure : run.errors()) {
         if (failure.code == code) return tl::unexpected(failure.message);
     }
     return {};
 }
 
-tl::expected<RunOutputs, std::string> RunOutputs::open(const RunArguments& arguments, engine::Run& run) {
+Result<RunOutputs> RunOutputs::open(const RunArguments& arguments, engine::Run& run) {
     RunOutputs all;
     const auto add = [&](const OutputNames& names, std::size_t robot) {
         return Outputs::open(names, run, robot).map([&](std::unique_ptr<Outputs> outputs) {
@@ -116,7 +115,7 @@ tl::expected<RunOutputs, std::string> RunOutputs::open(const RunArguments& argum
     return add(shared_names, 0).map([&] { return std::move(all); });
 }
 
-tl::expected<void, std::string> RunOutputs::commit(const engine::Report& report) {
+Result<void> RunOutputs::commit(const engine::Report& report) {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
         const bool for_robot = i < report.robots.size();
         if (auto committed = outputs_[i]->commit(for_robot ? report.robots[i] : report); !committed)
@@ -126,12 +125,12 @@ tl::expected<void, std::string> RunOutputs::commit(const engine::Report& report)
 }
 
 // The files are locked in a fixed order, so that two runs with the same two files do not wait for each other.
-tl::expected<void, std::string> PersistentFiles::lock(const RunArguments& arguments, const engine::Run& run) {
+Result<void> PersistentFiles::lock(const RunArguments& arguments, const engine::Run& run) {
     std::set<std::string> files;
     if (!arguments.request.variables.empty()) files.insert(arguments.request.variables);
     const auto saved_file = os::file_identity(arguments.save_machine_data);
-    in_place_ = saved_file && saved_file == os::file_identity(run.request().machine_data);
-    if (in_place_) files.insert(arguments.save_machine_data);
+    is_in_place_ = saved_file && saved_file == os::file_identity(run.request().machine_data);
+    if (is_in_place_) files.insert(arguments.save_machine_data);
     for (const std::string& file : files) {
         auto lock = lock_for_change(file, arguments.wait_s);
         if (!lock) return tl::unexpected(lock.error());
@@ -140,7 +139,7 @@ tl::expected<void, std::string> PersistentFiles::lock(const RunArguments& argume
     return {};
 }
 
-tl::expected<void, std::string> PersistentFiles::check(const RunArguments& arguments) {
+Result<void> PersistentFiles::check(const RunArguments& arguments) {
     for (const std::string* file : {&arguments.request.variables, &arguments.save_machine_data}) {
         if (file->empty()) continue;
         if (auto writable = os::OutputFile::check(*file); !writable) return writable;
@@ -148,19 +147,17 @@ tl::expected<void, std::string> PersistentFiles::check(const RunArguments& argum
     return {};
 }
 
-tl::expected<void, std::string> PersistentFiles::write(const RunArguments& arguments,
-                                                       const engine::Run& run) const {
-    tl::expected<void, std::string> kept;
+Result<void> PersistentFiles::write(const RunArguments& arguments, const engine::Run& run) const {
+    Result<void> kept;
     if (const std::string& file = arguments.request.variables; !file.empty()) {
-        kept = run.variables().map_error(error_message).and_then([&](const std::string& text) {
-            return save_text(file, text);
-        });
+        kept = run.variables().map_error(to_error).and_then(
+            [&](const std::string& text) { return save_text(file, text); });
     }
     const std::string& file = arguments.save_machine_data;
     if (!kept || file.empty()) return kept;
     const auto data = run.machine_data();
-    if (!data) return tl::unexpected(fmt::format("{} is not written: {}", file, data.error().message));
-    return in_place_ ? save_text(file, *data) : replace_text(file, *data, arguments.wait_s);
+    if (!data) return Unexpected(fmt::format("{} is not written: {}", file, data.error().message));
+    return is_in_place_ ? save_text(file, *data) : replace_text(file, *data, arguments.wait_s);
 }
 
 }  // namespace gsim::apps

@@ -21,7 +21,7 @@
 #include "batch/slurm/cluster_batch.h"
 #include "batch/slurm/cluster_wait.h"
 #include "batch/statistics/study.h"
-#include "batch/stopping.h"
+#include "batch/stop_signals.h"
 #include "batch/store/outputs.h"
 #include "batch/store/results.h"
 #include "batch/work/worker.h"
@@ -39,15 +39,13 @@ namespace gsim::batch {
 
 namespace {
 
-using VoidResult = tl::expected<void, std::string>;
-
 constexpr const char* kName = "gsim-batch";
 
 bool is_plan_file(const Arguments& arguments) {
     return arguments.inputs.size() == 1 && arguments.inputs.front().ends_with(".toml");
 }
 
-tl::expected<Plan, std::string> plan_from_options(const Arguments& arguments) {
+Result<Plan> plan_from_options(const Arguments& arguments) {
     Plan plan;
     for (const std::string& input : arguments.inputs) {
         const auto found = find_programs(input);
@@ -62,18 +60,17 @@ tl::expected<Plan, std::string> plan_from_options(const Arguments& arguments) {
     return plan;
 }
 
-tl::expected<Plan, std::string> plan_from_file(const Arguments& arguments) {
+Result<Plan> plan_from_file(const Arguments& arguments) {
     const bool has_other_options = !arguments.machines.empty() || !arguments.machine_data.empty() ||
                                    !arguments.cell.empty() || !arguments.dialect.empty() ||
                                    arguments.no_collisions;
     if (has_other_options)
-        return tl::unexpected<std::string>(
-            "a plan says itself which machines and options there are; take those away");
+        return Unexpected("a plan defines the machines and options; remove the other options");
     return os::read_text_file(arguments.inputs.front(), os::NameSource::command_line)
         .and_then([&](const std::string& text) { return read_plan(text, arguments.inputs.front()); });
 }
 
-tl::expected<Plan, std::string> make_plan(const Arguments& arguments) {
+Result<Plan> make_plan(const Arguments& arguments) {
     auto plan = is_plan_file(arguments) ? plan_from_file(arguments) : plan_from_options(arguments);
     if (!plan) return plan;
     plan->stored_documents.report = plan->stored_documents.report || arguments.reports;
@@ -92,7 +89,7 @@ std::string format_time(double time_s) {
 
 /// Prints the progress line, which is redrawn on a terminal.
 void print_progress(const BatchTally& tally) {
-    const double runs_per_s = static_cast<double>(tally.ran) / std::max(tally.wall_s, 1e-9);
+    const double runs_per_s = static_cast<double>(tally.ran) / std::max(tally.wall_time_s, 1e-9);
     const auto remaining = static_cast<double>(tally.jobs - tally.done());
     const std::string remaining_time =
         tally.ran > 0 ? format_time(remaining / runs_per_s) + " left" : std::string();
@@ -100,8 +97,8 @@ void print_progress(const BatchTally& tally) {
                                               tally.jobs, tally.failed, runs_per_s, remaining_time));
 }
 
-VoidResult write_output(Database& results, const std::string& file,
-                        const std::function<SqlResult(Database&, const Sink&)>& write) {
+Result<void> write_output(Database& results, const std::string& file,
+                          const std::function<Result<void>(Database&, const Sink&)>& write) {
     if (file.empty()) return {};
     if (file == os::kStandardStream) {
         return write(results, [](std::string_view text) {
@@ -116,7 +113,7 @@ VoidResult write_output(Database& results, const std::string& file,
     });
 }
 
-VoidResult write_statistics(const Arguments& arguments, Database& results) {
+Result<void> write_statistics(const Arguments& arguments, Database& results) {
     if (!arguments.statistics && arguments.statistics_json.empty() && arguments.page.empty()) return {};
     const auto studies = read_studies(results);
     if (!studies) return tl::unexpected(studies.error());
@@ -128,7 +125,7 @@ VoidResult write_statistics(const Arguments& arguments, Database& results) {
         if (before) {
             comparisons->push_back(*std::move(before));
         } else {
-            apps::report_error(kName, before.error());
+            apps::report_error(kName, before.error().message);
         }
     }
     if (arguments.statistics) {
@@ -140,7 +137,7 @@ VoidResult write_statistics(const Arguments& arguments, Database& results) {
     });
 }
 
-VoidResult write_report_pages(const Arguments& arguments, Database& results) {
+Result<void> write_report_pages(const Arguments& arguments, Database& results) {
     if (arguments.pages.empty()) return {};
     PagesOptions options{.folder = arguments.pages,
                          .since = static_cast<std::int64_t>(arguments.since.value_or(0))};
@@ -150,7 +147,7 @@ VoidResult write_report_pages(const Arguments& arguments, Database& results) {
     return write_pages(results, options);
 }
 
-VoidResult write_outputs(const Arguments& arguments) {
+Result<void> write_outputs(const Arguments& arguments) {
     upgrade_schema(arguments.results);
     auto results = Database::open(arguments.results, true);
     if (!results) return tl::unexpected(results.error());
@@ -169,7 +166,7 @@ VoidResult write_outputs(const Arguments& arguments) {
         .and_then([&] { return write_output(*results, arguments.sarif, write_sarif); })
         .and_then([&] { return write_statistics(arguments, *results); })
         .and_then([&] { return write_report_pages(arguments, *results); })
-        .and_then([&]() -> VoidResult {
+        .and_then([&]() -> Result<void> {
             if (arguments.quiet || uses_standard_output || arguments.statistics) return {};
             return summary(*results).map([](const std::string& text) { apps::print(text::printable(text)); });
         });
@@ -183,31 +180,32 @@ int run_plan(const Arguments& arguments) {
     if (const std::string message = cluster_in_use_error(arguments.results); !message.empty())
         return report_usage_error(message);
     const auto plan = make_plan(arguments);
-    if (!plan) return report_usage_error(plan.error());
+    if (!plan) return report_usage_error(plan.error().message);
     stop_on_signals();
     const bool is_shown = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
     const auto tally = run_batch(*plan, arguments.batch_options(), stop_flag(), [&](const BatchTally& now) {
         if (is_shown) print_progress(now);
     });
     if (is_shown) apps::print_to_standard_error("\n");
-    if (!tally) return report_usage_error(tally.error());
+    if (!tally) return report_usage_error(tally.error().message);
     if (!arguments.quiet)
-        apps::print_to_standard_error(
-            fmt::format("{} of {} jobs: {} run in {:.2f} s, {} there already; {} failed\n", tally->done(),
-                        tally->jobs, tally->ran, tally->wall_s, tally->reused, tally->failed));
+        apps::print_to_standard_error(fmt::format("{} of {} jobs: {} run in {:.2f} s, {} reused; {} failed\n",
+                                                  tally->done(), tally->jobs, tally->ran, tally->wall_time_s,
+                                                  tally->reused, tally->failed));
     if (tally->missing_pictures > 0)
         apps::report_error(kName, fmt::format("{} pictures could not be drawn: {}", tally->missing_pictures,
                                               tally->first_picture_error));
-    if (const VoidResult done = write_outputs(arguments); !done) return report_usage_error(done.error());
+    if (const Result<void> done = write_outputs(arguments); !done)
+        return report_usage_error(done.error().message);
     if (!tally->complete) {
-        apps::report_error(kName, "cut off; the same command goes on from here");
+        apps::report_error(kName, "interrupted; the same command continues from here");
         return apps::kProgramError;
     }
     return tally->failed > 0 ? apps::kProgramError : apps::kSuccess;
 }
 
-int report_status(const tl::expected<ClusterState, std::string>& state) {
-    if (!state) return report_usage_error(state.error());
+int report_status(const Result<ClusterState>& state) {
+    if (!state) return report_usage_error(state.error().message);
     apps::print(to_text(*state) + '\n');
     const bool is_incomplete = state->lost > 0 || (state->has_ended() && !state->gathered);
     return is_incomplete ? apps::kProgramError : apps::kSuccess;
@@ -223,25 +221,26 @@ bool has_failed_runs(const std::string& file) {
 
 int submit_plan(const Arguments& arguments) {
     const auto plan = make_plan(arguments);
-    if (!plan) return report_usage_error(plan.error());
+    if (!plan) return report_usage_error(plan.error().message);
     auto state = submit(*plan, arguments.cluster_options());
-    if (!state) return report_usage_error(state.error());
+    if (!state) return report_usage_error(state.error().message);
     if (state->shards > 0) {
         if (!arguments.wait) return report_status(state);
         stop_on_signals();
-        state = wait_until_over(arguments.results, stop_flag(), std::chrono::seconds(2));
+        state = wait_until_ended(arguments.results, stop_flag(), std::chrono::seconds(2));
     }
     const int status = report_status(state);
     if (!state) return status;
-    if (const VoidResult done = write_outputs(arguments); !done) return report_usage_error(done.error());
+    if (const Result<void> done = write_outputs(arguments); !done)
+        return report_usage_error(done.error().message);
     return status == apps::kSuccess && has_failed_runs(arguments.results) ? apps::kProgramError : status;
 }
 
 /// Runs a task that a cluster has started this program for; empty result: a user has started it.
 std::optional<int> run_task(const std::vector<std::string>& words) {
     if (words.size() == 2 && words.front() == kWorkerOption) return run_worker(std::stoull(words.back()));
-    const auto ended = [](const tl::expected<bool, std::string>& complete) {
-        if (!complete) return report_usage_error(complete.error());
+    const auto ended = [](const Result<bool>& complete) {
+        if (!complete) return report_usage_error(complete.error().message);
         return *complete ? apps::kSuccess : apps::kProgramError;
     };
     if (words.size() == 3 && words.front() == kShardOption) {
@@ -264,23 +263,22 @@ int run_command(const std::string& program_name, const std::vector<std::string>&
     if (program_name == kOptimiseName) return optimise(words);
     Arguments arguments;
     apps::CommandLine line(
-        kName,
-        "Runs many programs on many machines in many variants, and keeps what comes of it in one file");
+        kName, "Runs many programs on many machines in many variants, and stores the results in one file");
     add_options(line, arguments);
     const std::vector<std::string> others{"gsim", "gsim-run", "gsim-check", kOptimiseName};
     if (const auto printed = apps::print_standalone_pages(line, words, others)) return *printed;
     const auto parsed = apps::parse(line, words);
-    if (!parsed) return report_usage_error(parsed.error());
+    if (!parsed) return report_usage_error(parsed.error().message);
     if (*parsed) return **parsed;
-    if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(*conflict);
-    if (arguments.views && arguments.pages.empty()) return report_usage_error("--views goes with --pages");
+    if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(conflict->message);
+    if (arguments.views && arguments.pages.empty()) return report_usage_error("--views requires --pages");
     if (arguments.status) return report_status(query_state(arguments.results));
     if (arguments.cancel) return report_status(cancel(arguments.results));
     if (!arguments.inputs.empty()) return arguments.slurm ? submit_plan(arguments) : run_plan(arguments);
     if (arguments.slurm || !arguments.machines.empty() || arguments.retry)
-        return report_usage_error("name a plan or programs; --slurm, --machine and --retry are of them");
-    const VoidResult done = write_outputs(arguments);
-    return done ? apps::kSuccess : report_usage_error(done.error());
+        return report_usage_error("name a plan or programs; --slurm, --machine and --retry require one");
+    const Result<void> done = write_outputs(arguments);
+    return done ? apps::kSuccess : report_usage_error(done.error().message);
 }
 
 }  // namespace gsim::batch

@@ -17,7 +17,7 @@
 #include "batch/search/search_output.h"
 #include "batch/search/verification_run.h"
 #include "batch/slurm/cluster_wait.h"
-#include "batch/stopping.h"
+#include "batch/stop_signals.h"
 #include "batch/write_text.h"
 #include "cli/command_line.h"
 #include "cli/exit_status.h"
@@ -30,9 +30,6 @@
 namespace gsim::batch {
 
 namespace {
-
-using VoidResult = tl::expected<void, std::string>;
-using Unexpected = tl::unexpected<std::string>;
 
 // Other programs may use the same results during a search of hours.
 constexpr std::chrono::milliseconds kLockTimeout(600'000);
@@ -52,42 +49,43 @@ struct OptimiseArguments : RunArguments {
 
 void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
     using apps::FileKind;
-    line.add("plan.toml", &a.plan, "what may change, what counts, and which limits are to be kept")
+    line.add("plan.toml", &a.plan, "plan: settings that may change, objective, and limits")
         .takes_file(FileKind::input, {".toml"});
     line.begin_group("Results");
-    line.add("--results", &a.results, "file of all runs (SQLite): what is in it is not run again")
+    line.add("--results", &a.results, "file of all runs (SQLite): runs that it contains are not repeated")
         .takes_file(FileKind::changed, {".sqlite"})
         .with_value_name("FILE")
         .show_default();
-    line.add("--best", &a.best, "folder for the files of the best variant, from which it is run once more")
+    line.add("--best", &a.best,
+             "folder for the files of the best variant, which are used for the verification run")
         .with_value_name("FOLDER")
         .takes_file(FileKind::folder);
-    line.add("--overwrite", &a.overwrite, "files of --best may replace files that are there already");
-    line.add("--json", &a.json, "write what was found as JSON; -: standard output")
+    line.add("--overwrite", &a.overwrite, "files of --best may replace existing files");
+    line.add("--json", &a.json, "write the result as JSON; -: standard output")
         .takes_file(FileKind::output, {".json"});
-    line.add("--page", &a.page, "write it as one HTML page with a picture of all trials; -: standard output")
+    line.add("--page", &a.page,
+             "write the result as one HTML page with a picture of all variants; -: standard output")
         .takes_file(FileKind::output, {".html"});
     line.add("-q,--quiet", &a.quiet, "no progress");
     line.begin_group("Search");
-    line.add("--variants", &a.variants, "how many are tried at most; 0: as the plan says")
-        .within(0, 10'000'000);
-    line.add("--seed", &a.seed, "of what is drawn by lot; 0: as the plan says").within(0, 10'000'000);
-    line.begin_group("Here");
+    line.add("--variants", &a.variants, "max number of variants; 0: as in the plan").within(0, 10'000'000);
+    line.add("--seed", &a.seed, "seed of the random numbers; 0: as in the plan").within(0, 10'000'000);
+    line.begin_group("On this computer");
     add_worker_options(line, a);
     line.begin_group("On a cluster (Slurm)");
-    add_cluster_options(
-        line, a,
-        "submit the variants that are tried at once as an array, wait until it is gathered, and go on");
-    line.add_example("gsim-optimise place.toml --best best --page place.html", "the best, with its files");
-    line.add_example("gsim-optimise place.toml --variants 1000", "the same search goes on");
-    line.add_example("sqlite3 gsim-optimise.sqlite 'SELECT * FROM evaluations'", "all that was tried");
+    add_cluster_options(line, a,
+                        "submit each set of variants as an array, wait for its results, and continue");
+    line.add_example("gsim-optimise place.toml --best best --page place.html",
+                     "the best variant, with its files");
+    line.add_example("gsim-optimise place.toml --variants 1000", "the same search continues");
+    line.add_example("sqlite3 gsim-optimise.sqlite 'SELECT * FROM evaluations'", "all evaluated variants");
 }
 
 int report_search_error(const std::string& message) {
     return apps::usage_error(kOptimiseName, message);
 }
 
-tl::expected<SearchPlan, std::string> read_search_plan(const OptimiseArguments& a) {
+Result<SearchPlan> read_search_plan(const OptimiseArguments& a) {
     return os::read_text_file(a.plan, os::NameSource::command_line)
         .and_then([&](const std::string& text) { return read_search(text, a.plan); })
         .map([&](SearchPlan search) {
@@ -97,8 +95,7 @@ tl::expected<SearchPlan, std::string> read_search_plan(const OptimiseArguments& 
         });
 }
 
-tl::expected<EvaluatedBatch, std::string> evaluate_locally(const OptimiseArguments& a, const Plan& plan,
-                                                           bool rerun) {
+Result<EvaluatedBatch> evaluate_locally(const OptimiseArguments& a, const Plan& plan, bool rerun) {
     BatchOptions options = a.batch_options();
     options.rerun = rerun;
     options.lock_timeout = kLockTimeout;
@@ -108,25 +105,24 @@ tl::expected<EvaluatedBatch, std::string> evaluate_locally(const OptimiseArgumen
 }
 
 /// Evaluates a plan on a cluster. Lost jobs are submitted again.
-tl::expected<EvaluatedBatch, std::string> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan,
-                                                              bool rerun) {
+Result<EvaluatedBatch> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan, bool rerun) {
     constexpr int kMaxAttempts = 5;
     constexpr std::chrono::milliseconds kPollInterval(500);
     if (!cluster_in_use_error(a.results).empty()) {
-        if (const auto over = wait_until_over(a.results, stop_flag(), kPollInterval); !over)
+        if (const auto over = wait_until_ended(a.results, stop_flag(), kPollInterval); !over)
             return Unexpected(over.error());
     }
     for (int attempts = 0; attempts < kMaxAttempts && !stop_flag(); ++attempts) {
         ClusterOptions options = a.cluster_options();
         options.rerun = rerun && attempts == 0;  // what was lost alone is submitted again
         auto state = submit(plan, options);
-        if (state && state->shards > 0) state = wait_until_over(a.results, stop_flag(), kPollInterval);
+        if (state && state->shards > 0) state = wait_until_ended(a.results, stop_flag(), kPollInterval);
         if (!state) return Unexpected(state.error());
         if (state->gathered) return EvaluatedBatch{state->batch, true};
     }
     if (stop_flag()) return EvaluatedBatch{};
     return Unexpected(
-        fmt::format("the cluster has lost runs {} times; gsim-batch --results '{}' --status tells more",
+        fmt::format("the cluster has lost runs {} times; see gsim-batch --results '{}' --status",
                     kMaxAttempts, a.results));
 }
 
@@ -135,16 +131,17 @@ void print_search_progress(const SearchPlan& search, const SearchState& state, b
         return value ? fmt::format("{:.6g}", *value) : std::string("-");
     };
     apps::print_to_standard_error(
-        fmt::format("{}{} of {} variants, {} without a fault; best {}, start {}{}", is_terminal ? "\r" : "",
+        fmt::format("{}{} of {} variants, {} without errors; best {}, start {}{}", is_terminal ? "\r" : "",
                     state.trials, search.variants + 1, state.feasible, format_value(state.best.score.value),
                     format_value(state.start.score.value), is_terminal ? "   " : "\n"));
 }
 
-VoidResult write_search_result(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
-                               const std::optional<VerificationRun>& verification_run) {
+Result<void> write_search_result(const OptimiseArguments& a, const SearchPlan& search,
+                                 const SearchState& state,
+                                 const std::optional<VerificationRun>& verification_run) {
     const bool uses_standard_output = a.json == os::kStandardStream || a.page == os::kStandardStream;
     if (!uses_standard_output) apps::print(text::printable(to_text(search, state, verification_run)));
-    if (VoidResult done = write_text(a.json, to_json(search, state, verification_run)); !done) return done;
+    if (Result<void> done = write_text(a.json, to_json(search, state, verification_run)); !done) return done;
     if (a.page.empty()) return {};
     auto results = Database::open(a.results, true);
     if (!results) return Unexpected(results.error());
@@ -153,13 +150,13 @@ VoidResult write_search_result(const OptimiseArguments& a, const SearchPlan& sea
     });
 }
 
-/// Reports useless outputs before the search, because users must not wait hours for that error.
-std::string check_outputs(const OptimiseArguments& a, const Plan& plan) {
+/// Finds useless outputs before the search, because users must not wait hours for that error.
+std::optional<Error> find_output_error(const OptimiseArguments& a, const Plan& plan) {
     for (const std::string& file : {a.json, a.page}) {
         if (file.empty() || file == os::kStandardStream) continue;
         if (const auto writable = os::OutputFile::check(file); !writable) return writable.error();
     }
-    return a.best.empty() ? std::string() : check_output_folder(plan, a.best, a.overwrite);
+    return a.best.empty() ? std::nullopt : find_output_folder_error(plan, a.best, a.overwrite);
 }
 
 /// Reports the result of the search, even if its verification run fails.
@@ -170,27 +167,28 @@ int finish_search(const OptimiseArguments& a, const SearchPlan& search, const Se
     if (state.complete && state.best.score.is_feasible()) {
         auto verified = verify_best(search, state, a.results, a.best, evaluate);
         if (!verified) {
-            verification_error = verified.error();
+            verification_error = verified.error().message;
         } else {
             verification_run = *std::move(verified);
         }
     }
-    if (const VoidResult done = write_search_result(a, search, state, verification_run); !done)
-        return report_search_error(done.error());
-    if (!verification_error.empty()) apps::report_error(kOptimiseName, "not proven: " + verification_error);
-    if (!state.complete) apps::report_error(kOptimiseName, "cut off; the same command goes on from here");
+    if (const Result<void> done = write_search_result(a, search, state, verification_run); !done)
+        return report_search_error(done.error().message);
+    if (!verification_error.empty()) apps::report_error(kOptimiseName, "not verified: " + verification_error);
+    if (!state.complete)
+        apps::report_error(kOptimiseName, "interrupted; the same command continues from here");
     return verification_run ? apps::kSuccess : apps::kProgramError;
 }
 
 int run_search(const OptimiseArguments& a) {
     const auto search = read_search_plan(a);
-    if (!search) return report_search_error(search.error());
+    if (!search) return report_search_error(search.error().message);
     if (!a.slurm) {
         if (const std::string message = cluster_in_use_error(a.results); !message.empty())
             return report_search_error(message);
     }
-    if (const std::string output_error = check_outputs(a, search->plan); !output_error.empty())
-        return report_search_error(output_error);
+    if (const auto output_error = find_output_error(a, search->plan))
+        return report_search_error(output_error->message);
     stop_on_signals();
     const Evaluate evaluate = [&](const Plan& plan, bool rerun) {
         return a.slurm ? evaluate_on_cluster(a, plan, rerun) : evaluate_locally(a, plan, rerun);
@@ -200,9 +198,9 @@ int run_search(const OptimiseArguments& a) {
         if (!a.quiet) print_search_progress(*search, now, is_terminal);
     });
     if (is_terminal && !a.quiet) apps::print_to_standard_error("\n");
-    if (!state) return report_search_error(state.error());
+    if (!state) return report_search_error(state.error().message);
     if (state->trials == 0) {
-        apps::report_error(kOptimiseName, "cut off before anything was run");
+        apps::report_error(kOptimiseName, "interrupted before the first run");
         return apps::kProgramError;
     }
     return finish_search(a, *search, *state, evaluate);
@@ -212,17 +210,16 @@ int run_search(const OptimiseArguments& a) {
 
 int optimise(const std::vector<std::string>& words) {
     OptimiseArguments arguments;
-    apps::CommandLine line(
-        kOptimiseName,
-        "Looks for the values of settings for which programs are fastest, or best in another "
-        "way, without a fault");
+    apps::CommandLine line(kOptimiseName,
+                           "Searches for the settings with which programs are fastest, or best by another "
+                           "criterion, without errors");
     add_search_options(line, arguments);
     const std::vector<std::string> others{"gsim", "gsim-batch", "gsim-run"};
     if (const auto printed = apps::print_standalone_pages(line, words, others)) return *printed;
     const auto parsed = apps::parse(line, words);
-    if (!parsed) return report_search_error(parsed.error());
+    if (!parsed) return report_search_error(parsed.error().message);
     if (*parsed) return **parsed;
-    if (const auto conflict = apps::find_file_conflict(line)) return report_search_error(*conflict);
+    if (const auto conflict = apps::find_file_conflict(line)) return report_search_error(conflict->message);
     if (arguments.plan.empty()) return report_search_error("name a plan (docs/optimise.md)");
     return run_search(arguments);
 }

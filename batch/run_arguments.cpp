@@ -32,28 +32,30 @@ ClusterOptions RunArguments::cluster_options() const {
 }
 
 void add_worker_options(apps::CommandLine& line, RunArguments& a) {
-    line.add("-j,--workers", &a.workers, "processes that run programs at once")
+    line.add("-j,--workers", &a.workers, "number of processes that run programs in parallel")
         .within(1, 4096)
         .show_default();
-    line.add("--memory-mb", &a.memory_mb, "memory that a worker may take; a run that needs more fails alone")
+    line.add("--memory-mb", &a.memory_mb, "max memory of a worker; only the run that exceeds it fails")
         .with_value_name("MB")
         .within(64, 1'000'000)
-        .describe_default("4096; on a cluster no more than its nodes have");
-    line.add("--timeout", &a.timeout_s, "time that a run may take, by the clock")
+        .describe_default("4096; on a cluster at most the memory of its nodes");
+    line.add("--timeout", &a.timeout_s, "max wall-clock time of a run")
         .with_value_name("SECONDS")
         .within(0.01, 1e6)
         .show_default();
-    line.add("--retry", &a.retry, "run again what crashed, took too long or too much memory");
+    line.add("--retry", &a.retry, "repeat runs that crashed, or exceeded the limit of time or memory");
 }
 
 void add_cluster_options(apps::CommandLine& line, RunArguments& a, const char* slurm) {
     line.add("--slurm", &a.slurm, slurm);
-    line.add("--partition", &a.partition, "where; else the cluster's default").with_value_name("NAME");
-    line.add("--shard-runs", &a.shard_runs, "runs of a task").within(1, 10'000'000).show_default();
-    line.add("--task-workers", &a.task_workers, "processes, and processors, of a task")
+    line.add("--partition", &a.partition,
+             "partition of the cluster; default: the cluster's default partition")
+        .with_value_name("NAME");
+    line.add("--shard-runs", &a.shard_runs, "runs per task").within(1, 10'000'000).show_default();
+    line.add("--task-workers", &a.task_workers, "processes, and processors, per task")
         .within(1, 1024)
         .show_default();
-    line.add("--time-limit", &a.time_limit_min, "time that a task may take; else as the partition has it")
+    line.add("--time-limit", &a.time_limit_min, "max time of a task; default: that of the partition")
         .with_value_name("MINUTES");
 }
 

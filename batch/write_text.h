@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
 #include "cli/print.h"
@@ -11,7 +10,7 @@
 namespace gsim::batch {
 
 /// Writes a text to a file, or to standard output for "-"; does nothing if no file is named.
-inline tl::expected<void, std::string> write_text(const std::string& file, const std::string& text) {
+inline Result<void> write_text(const std::string& file, const std::string& text) {
     if (file.empty()) return {};
     if (file != os::kStandardStream) return os::write_file(file, text);
     apps::print(text);

@@ -15,12 +15,12 @@ apps::CommandLine& add_command(apps::CommandLine& line, SelectedCommand& selecte
     return command;
 }
 
-VoidResult write_if_named(const std::string& file, const std::string& text) {
+Result<void> write_if_named(const std::string& file, const std::string& text) {
     if (file.empty()) return {};
     return os::write_file(file, text);
 }
 
-VoidResult write_or_print(const std::string& file, const std::string& text) {
+Result<void> write_or_print(const std::string& file, const std::string& text) {
     if (!file.empty()) return os::write_file(file, text);
     apps::print(text);
     return {};

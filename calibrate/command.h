@@ -3,17 +3,13 @@
 #include <functional>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cli/command_line.h"
 
 namespace gsim::calibrate {
 
-/// Result of a command; the error is a message.
-using VoidResult = tl::expected<void, std::string>;
-
 /// Command that the parsed words of a line selected.
-using SelectedCommand = std::function<VoidResult()>;
+using SelectedCommand = std::function<Result<void>()>;
 
 /// Adds a command to the line and returns it, so that options can be added; if it is selected, `chosen`
 /// becomes `does`.
@@ -21,8 +17,8 @@ apps::CommandLine& add_command(apps::CommandLine& line, SelectedCommand& selecte
                                const char* description, SelectedCommand action);
 
 /// Writes a file, unless its name is empty.
-VoidResult write_if_named(const std::string& file, const std::string& text);
+Result<void> write_if_named(const std::string& file, const std::string& text);
 /// Writes a file, or to standard output if its name is empty.
-VoidResult write_or_print(const std::string& file, const std::string& text);
+Result<void> write_or_print(const std::string& file, const std::string& text);
 
 }  // namespace gsim::calibrate

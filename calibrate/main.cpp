@@ -25,13 +25,13 @@ constexpr const char* kName = "gsim-calibrate";
 
 int report_usage_error(const std::string& message) {
     apps::report_error(kName, message);
-    return apps::usage_error(kName, fmt::format("{} --help tells what there is", kName));
+    return apps::usage_error(kName, fmt::format("see {} --help", kName));
 }
 
 int run(const std::vector<std::string>& words) {
     apps::CommandLine line(kName,
-                           "Makes a machine file from what a machine did: from recorded runs, "
-                           "measured tips, or set points and places of axes");
+                           "Creates a machine file from measurements: recorded runs, TCP positions, or set "
+                           "points and actual positions of axes");
     SelectedCommand selected;
     add_times_command(line, selected);
     add_geometry_command(line, selected);
@@ -43,11 +43,11 @@ int run(const std::vector<std::string>& words) {
         return apps::kUsageError;
     }
     const auto parsed = apps::parse(line, words);
-    if (!parsed) return report_usage_error(parsed.error());
+    if (!parsed) return report_usage_error(parsed.error().message);
     if (*parsed) return **parsed;
-    if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(*conflict);
-    if (const VoidResult done = selected(); !done) {
-        apps::report_error(kName, done.error());
+    if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(conflict->message);
+    if (const Result<void> done = selected(); !done) {
+        apps::report_error(kName, done.error().message);
         return apps::kProgramError;
     }
     return apps::kSuccess;

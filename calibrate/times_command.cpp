@@ -34,61 +34,63 @@ struct Arguments {
     std::string picture;
     std::string program;
     std::uint64_t parts = 3;
-    OpenParameters open;
+    FreeParameters open;
     bool keep_model = false;
     bool quiet = false;
 };
 
 void add_options(apps::CommandLine& line, Arguments& arguments) {
     line.add("runs", &arguments.runs,
-             "list of recorded runs, one a line: program,time_s under a line that names the columns")
+             "list of recorded runs, one per line: program,time_s after a line that names the columns")
         .takes_file(apps::FileKind::input, {".csv", ".tsv"})
         .make_required();
     line.add("--machine", &arguments.machine,
-             "machine file to begin with: what is known of the machine, and a guess of what is not")
+             "machine file to start with: known parameters of the machine, and estimates of the unknown ones")
         .with_value_name("FILE")
         .takes_file(apps::FileKind::input, {".toml"})
         .make_required();
     line.add("--dialect", &arguments.reading_options.dialect,
-             "language of the programs; else as the machine file says")
+             "language of the programs; default: as in the machine file")
         .with_value_name("NAME");
     line.add("--machine-data", &arguments.reading_options.machine_data,
              "tools and offsets that the programs use")
         .with_value_name("FILE")
         .takes_file(apps::FileKind::input, {".txt", ".tbl"});
     line.add("--sample-period", &arguments.sample_period_ms,
-             "time between samples of recordings that have no times (halsampler)")
+             "time between samples of recordings without times (halsampler)")
         .with_value_name("MS")
         .within(0.001, 60'000);
     line.add("--sample-columns", &arguments.record_format.columns,
-             "what the columns of such recordings are, a letter each; '-': nothing that counts")
+             "columns of such recordings, one letter each; '-': ignored")
         .with_value_name("XYZ")
         .show_default();
-    line.add("-o,--output", &arguments.output, "the fitted machine file; else standard output")
+    line.add("-o,--output", &arguments.output, "the fitted machine file; default: standard output")
         .with_value_name("FILE")
         .takes_file(apps::FileKind::output, {".toml"})
         .may_share_file_with("--machine");
     line.add("--json", &arguments.json, "values, covariance, runs and models as JSON")
         .with_value_name("FILE")
         .takes_file(apps::FileKind::output, {".json"});
-    line.add("--picture", &arguments.picture, "what is left of the errors, run by run, as a picture")
+    line.add("--picture", &arguments.picture, "picture of the residuals of each run")
         .with_value_name("FILE")
         .takes_file(apps::FileKind::output, {".svg"});
-    line.add("--test-program", &arguments.program,
-             "part program that tells what these runs do not; not written where there is nothing")
+    line.add(
+            "--test-program", &arguments.program,
+            "part program for the parameters that these runs do not determine; not written if there are none")
         .with_value_name("FILE")
         .takes_file(apps::FileKind::output, {".nc", ".ngc"});
-    line.add("--parts", &arguments.parts, "parts of the cross-validation that chooses the model")
+    line.add("--parts", &arguments.parts, "number of parts of the cross-validation that selects the model")
         .with_value_name("N")
         .within(2, 20)
         .show_default();
     line.add("--keep-model", &arguments.keep_model,
-             "keep the machine file's controller, and fit its figures; else generic ones are tried");
+             "keep the machine file's controller, and fit its parameters; otherwise generic controllers are "
+             "tried");
     line.add("--each-axis", &arguments.open.each_axis,
-             "figures of each axis by themselves, where axes begin with the same");
+             "separate parameters for each axis, even if the axes start with equal ones");
     line.add("--speeds", &arguments.open.speeds,
-             "speeds of axes and along the path, too: those of the machine file are guesses");
-    line.add("-q,--quiet", &arguments.quiet, "no word on the way");
+             "also fit the speeds of axes and along the path: those of the machine file are estimates");
+    line.add("-q,--quiet", &arguments.quiet, "no progress");
 }
 
 /// Data that are known before a fit.
@@ -101,47 +103,47 @@ bool has_positions(const RecordedRun& run) {
     return !run.samples.empty();
 }
 
-VoidResult add_records(const RecordFormat& record_format, std::vector<RecordedRun>& runs) {
+Result<void> add_records(const RecordFormat& record_format, std::vector<RecordedRun>& runs) {
     for (RecordedRun& run : runs) {
         if (run.record.empty()) continue;
         const auto text = os::read_text_file(run.record);
         if (!text) return tl::unexpected(text.error());
         if (const auto result = add_record(*text, record_format, run); !result)
-            return tl::unexpected(fmt::format("{}: {}", run.record, result.error()));
+            return Unexpected(fmt::format("{}: {}", run.record, result.error().message));
     }
     return {};
 }
 
-tl::expected<FitInputs, std::string> read_fit_inputs(const Arguments& arguments) {
+Result<FitInputs> read_fit_inputs(const Arguments& arguments) {
     auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     if (machine::is_torque_limited(*machine))
-        return tl::unexpected(
-            fmt::format("{}: accelerations of axes are not fitted where torques limit them "
-                        "('limit = \"torque\"' of [dynamics])",
+        return Unexpected(
+            fmt::format("{}: accelerations of axes cannot be fitted if torques limit them ('limit = "
+                        "\"torque\"' of [dynamics])",
                         arguments.machine));
     const auto list = os::read_text_file(arguments.runs);
     if (!list) return tl::unexpected(list.error());
     const std::size_t slash = arguments.runs.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : arguments.runs.substr(0, slash);
     auto runs = read_recorded_runs(*list, folder);
-    if (!runs) return tl::unexpected(fmt::format("{}: {}", arguments.runs, runs.error()));
+    if (!runs) return Unexpected(fmt::format("{}: {}", arguments.runs, runs.error().message));
     RecordFormat record_format = arguments.record_format;
     record_format.period_s = arguments.sample_period_ms / 1000;
     if (const auto result = add_records(record_format, *runs); !result) return tl::unexpected(result.error());
     const bool are_sufficient =
         arguments.keep_model && std::all_of(runs->begin(), runs->end(), has_positions);
     if (runs->size() < kMinRuns && !are_sufficient) {
-        return tl::unexpected(fmt::format(
-            "{} has {} runs: a fit needs {} at least, and tells more of each figure with 10 or more; with "
-            "positions over time and --keep-model one is enough",
-            arguments.runs, runs->size(), kMinRuns));
+        return Unexpected(
+            fmt::format("{} has {} runs: a fit requires at least {}, and determines each parameter better "
+                        "with 10 or more; with positions over time and --keep-model one is enough",
+                        arguments.runs, runs->size(), kMinRuns));
     }
     return FitInputs{*std::move(machine), *std::move(runs)};
 }
 
-VoidResult write_all(const Arguments& arguments, const FitInputs& inputs, const Fit& fit,
-                     const std::optional<ModelSelection>& selection) {
+Result<void> write_all(const Arguments& arguments, const FitInputs& inputs, const Fit& fit,
+                       const std::optional<ModelSelection>& selection) {
     const std::string machine = machine_text(fit, inputs.runs);
     const std::string program = test_program(fit);
     return write_or_print(arguments.output, machine)
@@ -150,7 +152,7 @@ VoidResult write_all(const Arguments& arguments, const FitInputs& inputs, const 
         .and_then([&] { return write_if_named(program.empty() ? "" : arguments.program, program); });
 }
 
-VoidResult fit_to_times(const Arguments& arguments) {
+Result<void> fit_to_times(const Arguments& arguments) {
     const auto print_to_standard_error = [&](const std::string& words) {
         if (!arguments.quiet) apps::print_to_standard_error(text::printable(words + '\n'));
     };
@@ -159,7 +161,7 @@ VoidResult fit_to_times(const Arguments& arguments) {
     const auto predictor = Predictor::of(inputs->runs, arguments.reading_options, inputs->machine);
     if (!predictor) return tl::unexpected(predictor.error());
     std::optional<ModelSelection> selection;
-    OpenParameters open = arguments.open;
+    FreeParameters open = arguments.open;
     if (!arguments.keep_model) {
         auto selected = select_model(generic_candidates(inputs->machine, open), inputs->runs, *predictor,
                                      std::min<std::size_t>(arguments.parts, inputs->runs.size()),
@@ -181,11 +183,12 @@ VoidResult fit_to_times(const Arguments& arguments) {
 
 void add_times_command(apps::CommandLine& line, SelectedCommand& selected) {
     const auto arguments = std::make_shared<Arguments>();
-    add_options(add_command(line, selected, "times", "fit what a machine file leaves open to recorded runs",
-                            [arguments] { return fit_to_times(*arguments); }),
-                *arguments);
+    add_options(
+        add_command(line, selected, "times", "fit the open parameters of a machine file to recorded runs",
+                    [arguments] { return fit_to_times(*arguments); }),
+        *arguments);
     line.add_example("gsim-calibrate times runs.csv --machine mine.toml -o fitted.toml",
-                     "accelerations, corners and so on from how long programs took");
+                     "accelerations, corners and so on from the times of programs");
 }
 
 }  // namespace gsim::calibrate

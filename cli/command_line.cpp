@@ -95,6 +95,11 @@ Option& Option::exclude_option(std::string other) {
     return *this;
 }
 
+Option& Option::formerly(std::string old_name) {
+    former_name = std::move(old_name);
+    return *this;
+}
+
 Option& CommandLine::add(std::string names, Target target, std::string help) {
     Option option{.names = std::move(names), .target = target, .help = std::move(help)};
     option.group = option.is_argument() ? "Arguments" : group_;

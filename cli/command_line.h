@@ -40,6 +40,7 @@ struct Option {
     std::vector<std::string> extensions = {};   ///< File extensions: ".nc".
     std::optional<Range> range = {};
     std::string default_text = {};     ///< Empty: not shown.
+    std::string former_name = {};      ///< Its name in the last minor release: accepted with a warning.
     std::string excluded_option = {};  ///< An option that does not go with it.
     FileKind file = FileKind::none;
     std::string shares_file_with = {};  ///< The option with which this one may share a file.
@@ -67,6 +68,7 @@ struct Option {
     Option& show_default();
     Option& make_required();
     Option& exclude_option(std::string other);
+    Option& formerly(std::string old_name);
 };
 
 /// A command to type, and its effect.

@@ -51,7 +51,7 @@ std::string specifications(const CommandLine& line) {
 
 std::string arguments_call(const CommandLine& line) {
     std::string text =
-        fmt::format("_arguments -s '--help[print help and end]' '--version[print the version and end]'{}",
+        fmt::format("_arguments -s '--help[print help and exit]' '--version[print the version and exit]'{}",
                     specifications(line));
     if (!line.commands().empty()) {
         text += " \\\n        ':command:(";

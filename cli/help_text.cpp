@@ -85,8 +85,8 @@ std::string wrap_text(const std::string& text, std::size_t width, std::size_t in
 }
 
 std::string exit_statuses() {
-    return "0 done; 1 errors in the program, an alarm or a limit, findings of a check; 2 "
-           "options, files or standard output.";
+    return "0 success; 1 error in the program, alarm, limit, or findings of a check; 2 error in options, "
+           "files or standard output.";
 }
 
 std::string help_text(const CommandLine& line, const CommandLine* selected) {
@@ -97,8 +97,8 @@ std::string help_text(const CommandLine& line, const CommandLine* selected) {
     std::string text = fmt::format("Usage: {}\n\n{}", usage, wrap_text(description, kWidth, 0));
     text += option_lists(*selected);
     if (is_subcommand) text += option_lists(line);
-    text += "\nHelp:\n" + entry("-h, --help", "print this and end") +
-            entry("--version", "print the version and those of parts, and end");
+    text += "\nHelp:\n" + entry("-h, --help", "print this help and exit") +
+            entry("--version", "print the version and those of components, and exit");
     if (!is_subcommand) text += command_list(line);
     return text + note_list(line) + example_list(line) + "\n" +
            wrap_text("Exit status: " + exit_statuses(), kWidth, 0);

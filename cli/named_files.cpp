@@ -63,7 +63,7 @@ class NamedFiles {
         files_.push_back({nullptr, {}, os::open_file_identity(STDOUT_FILENO)});
     }
 
-    std::optional<std::string> find_conflict() const {
+    std::optional<Error> find_conflict() const {
         for (auto second = files_.begin(); second != files_.end(); ++second) {
             for (auto first = files_.begin(); first != second; ++first) {
                 if (auto message = conflict(*first, *second)) return message;
@@ -87,7 +87,7 @@ class NamedFiles {
         }
     }
 
-    static std::optional<std::string> conflict(const NamedFile& a, const NamedFile& b) {
+    static std::optional<Error> conflict(const NamedFile& a, const NamedFile& b) {
         if (!a.is_written() && !b.is_written()) return std::nullopt;
         if (a.option != nullptr && b.option != nullptr) {
             const bool allowed = a.option->shares_file_with == b.option->long_name() ||
@@ -95,20 +95,20 @@ class NamedFiles {
             if (allowed) return std::nullopt;
             if (a.is_written() && b.is_written() && is_standard_stream(a.value) &&
                 is_standard_stream(b.value)) {
-                return fmt::format("{} - and {} - both want standard output; give one of them a file",
+                return fmt::format("{} - and {} - both use standard output; write one of them to a file",
                                    a.option->long_name(), b.option->long_name());
             }
         }
         if (!a.identity || a.identity != b.identity) return std::nullopt;
         if (a.is_written() && b.is_written()) {
-            return fmt::format("{} and {} are the same file; give each output a file of its own",
+            return fmt::format("{} and {} are the same file; use a separate file for each output",
                                a.description(), b.description());
         }
         const NamedFile& output = a.is_written() ? a : b;
         const NamedFile& input = a.is_written() ? b : a;
         return fmt::format(
-            "{} and {} are the same file, which would be read and overwritten; give the output a file of its "
-            "own",
+            "{} and {} are the same file, which would be read and overwritten; use a separate file for the "
+            "output",
             output.description(), input.description());
     }
 
@@ -118,9 +118,9 @@ class NamedFiles {
 
 }  // namespace
 
-std::optional<std::string> find_file_conflict(const CommandLine& line) {
+std::optional<Error> find_file_conflict(const CommandLine& line) {
     if (is_given(line, "--json") && is_given(line, "--sarif"))
-        return "--json and --sarif - both want standard output; give --sarif a file";
+        return "--json and --sarif - both use standard output; write --sarif to a file";
     return NamedFiles(line).find_conflict();
 }
 

@@ -1,6 +1,8 @@
 // The only unit that includes CLI11, which requires ten seconds to compile.
 #include "cli/parse.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -8,6 +10,7 @@
 #include "cli/help_text.h"
 #include "cli/print.h"
 #include "cli/suggestion.h"
+#include "cli/usage_error.h"
 #include "cli/version.h"
 
 namespace gsim::apps {
@@ -80,7 +83,7 @@ std::string unknown_word_error(const std::string& word, const CLI::App& app, con
     if (const CommandLine& on_selected = selected_command(app, line); &on_selected != &line)
         add_words(on_selected, known);
     const std::string option_name = word.substr(0, is_option ? word.find('=') : std::string::npos);
-    return fmt::format("{} '{}'{}", is_option ? "there is no option" : "nothing takes", option_name,
+    return fmt::format("{} '{}'{}", is_option ? "unknown option" : "unexpected argument", option_name,
                        did_you_mean(option_name, known));
 }
 
@@ -90,16 +93,43 @@ std::string argument_error(const CLI::App& app, const CommandLine& line, const s
     return unparsed.empty() ? what : unknown_word_error(unparsed.front(), app, line);
 }
 
+/// Returns the option of a line or of its commands that had a name in the last minor release; null: none.
+const Option* find_renamed(const CommandLine& line, std::string_view former_name) {
+    for (const Option& option : line.options()) {
+        if (option.former_name == former_name) return &option;
+    }
+    for (const CommandLine& command : line.commands()) {
+        if (const Option* option = find_renamed(command, former_name)) return option;
+    }
+    return nullptr;
+}
+
+/// Returns the arguments with the new names of options, and warns of each old one.
+std::vector<std::string> renew_names(const CommandLine& line, std::span<const std::string> arguments) {
+    std::vector<std::string> renewed(arguments.begin(), arguments.end());
+    for (std::string& argument : renewed) {
+        if (argument == "--") break;
+        const std::string name = argument.substr(0, argument.find('='));
+        const Option* option = name.starts_with("--") ? find_renamed(line, name) : nullptr;
+        if (option == nullptr) continue;
+        report_error(line.program(),
+                     fmt::format("warning: {} is named {} now; the old name is an error from 0.3 on", name,
+                                 option->long_name()));
+        argument.replace(0, name.size(), option->long_name());
+    }
+    return renewed;
+}
+
 }  // namespace
 
-tl::expected<std::optional<int>, std::string> parse(const CommandLine& line,
-                                                    std::span<const std::string> arguments) {
+Result<std::optional<int>> parse(const CommandLine& line, std::span<const std::string> arguments) {
     CLI::App app(line.description(), line.program());
     add_all_options(app, line);
     app.set_version_flag("--version", "");
     try {
-        app.parse(std::vector<std::string>(arguments.rbegin(),
-                                           arguments.rend()));  // CLI11 wants the last one first
+        std::vector<std::string> last_first = renew_names(line, arguments);
+        std::reverse(last_first.begin(), last_first.end());  // as CLI11 expects them
+        app.parse(last_first);
     } catch (const CLI::CallForHelp&) {
         print(help_text(line, &selected_command(app, line)));
         return kSuccess;

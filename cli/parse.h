@@ -4,8 +4,7 @@
 #include <span>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cli/command_line.h"
 
 namespace gsim::apps {
@@ -13,7 +12,6 @@ namespace gsim::apps {
 /// Reads arguments into the targets of a command line. Returns an exit status if the program has nothing more
 /// to do (after --help and --version). The error is a message about unknown words, with suggestions, or about
 /// values that are not allowed.
-tl::expected<std::optional<int>, std::string> parse(const CommandLine& line,
-                                                    std::span<const std::string> arguments);
+Result<std::optional<int>> parse(const CommandLine& line, std::span<const std::string> arguments);
 
 }  // namespace gsim::apps

@@ -15,7 +15,7 @@ namespace {
 std::string leader_warning(std::uint32_t lines) {
     const std::string subject = lines == 1 ? "the line before the first % is"
                                            : fmt::format("the {} lines before the first % are", lines);
-    return subject + " left out: no program, but the leader of a tape";
+    return subject + " skipped: the leader of a tape, not a program";
 }
 
 std::string_view file_name(const TranslateOptions& options) {
@@ -38,10 +38,9 @@ WrittenCode write_commands(lexer::Source& source, LuaSpool& spool, const Transla
 
 WrittenCode write_blocks(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
                          lexer::Diagnostics& diagnostics) {
-    const lexer::Style style = options.dialect->rules().style;
-    const FileScan scan = scan_file(source, options.aliases, style);
-    lexer::Lexer lexer(source, diagnostics, options.aliases, style, options.annotate);
-    lexer.skip_leader(scan.leader_lines);
+    const FileScan scan = scan_file(source, options.aliases, *options.dialect);
+    lexer::Lexer lexer(source, diagnostics, options.aliases, options.dialect->text(), options.annotate);
+    lexer.extent().skip_leader(scan.leader_lines);
     if (scan.leader_lines > 0)
         diagnostics.warning({0, 1, 1}, lexer::DiagnosticKind::syntax, leader_warning(scan.leader_lines));
     LuaWriter writer(*options.dialect, scan, lexer, diagnostics, spool,
@@ -49,7 +48,7 @@ WrittenCode write_blocks(lexer::Source& source, LuaSpool& spool, const Translate
     writer.begin_file(file_name(options));
     grammar::Parser(lexer, diagnostics, writer).run();
     if (!diagnostics.full()) writer.end_file();
-    return {writer.map(), lexer.line()};
+    return {writer.map(), lexer.cursor().line()};
 }
 
 }  // namespace
@@ -63,7 +62,7 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
         if (!source.ended_early() && source.error() == 0) on_diagnostic(diagnostic);
     };
     lexer::Diagnostics diagnostics(source, options.max_errors, report_diagnostic);
-    const bool commands = options.dialect->rules().style == lexer::Style::command_lines;
+    const bool commands = options.dialect->text().form == lexer::TextForm::command_lines;
     WrittenCode written = commands ? write_commands(source, spool, options, diagnostics)
                                    : write_blocks(source, spool, options, diagnostics);
     Translation result;
@@ -83,7 +82,8 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
         on_diagnostic(*result.first_error);
     }
     if (result.ok) {
-        if (const auto finished = spool.finish(); !finished) throw std::runtime_error(finished.error());
+        if (const auto finished = spool.finish(); !finished)
+            throw std::runtime_error(finished.error().message);
     }
     result.programs = std::move(written.programs);
     return result;
@@ -99,7 +99,7 @@ TextTranslation translate_text(std::string_view gcode, const TranslateOptions& o
     result.ok = translation.ok;
     if (!result.ok) return result;
     auto lua = spool.read(0, spool.size());
-    if (!lua) throw std::runtime_error(lua.error());
+    if (!lua) throw std::runtime_error(lua.error().message);
     result.lua = *std::move(lua);
     result.programs = std::move(translation.programs);
     return result;

@@ -142,8 +142,8 @@ class GSIM_API DrawingPath {
     /// Reads the drawing, and settles the cutting parameters. "usage": options that do not fit the drawing or
     /// each other.
     tl::expected<void, Error> read();
-    /// Makes the path, after read(). `tell` receives the deviations from the drawing. An error of the drawing
-    /// itself is a failure with `in_program`: ends that stay open, contours that cross.
+    /// Makes the path, after read(). `on_diagnostic` receives the deviations from the drawing. An error of
+    /// the drawing itself is returned with `in_program`: ends that stay open, contours that cross.
     tl::expected<void, Error> make(const DiagnosticHandler& on_diagnostic = {});
 
     /// Writes the path file (docs/paths.md) after make(), for PathTranslation or a viewer. It stops when a

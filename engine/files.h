@@ -30,8 +30,8 @@ class GSIM_API Files {
 
     /// Uses the files of the system.
     Files();
-    /// Uses the results of `give` only, and no file of the system. The caller of this library calls it, and
-    /// it must not throw.
+    /// Uses the results of `provider` only, and no file of the system. The caller of this library calls it,
+    /// and it must not throw.
     static Files given(FileProvider provider);
 
     /// For internal use.

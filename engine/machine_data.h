@@ -41,7 +41,7 @@ class GSIM_API MachineData {
         angle,    ///< deg
         unknown,  ///< A length or an angle: of an axis of a machine that is not known.
         number,   ///< Without unit.
-        integer,  ///< An integer from `least` to `greatest`.
+        integer,  ///< An integer from `min` to `max`.
         text,     ///< A word; with choices, one of them.
     };
     /// One value of the entries of a section.
@@ -72,7 +72,8 @@ class GSIM_API MachineData {
     static tl::expected<MachineData, Error> open(const Host& host, const std::string& name,
                                                  const Machine* machine = nullptr,
                                                  const DiagnosticHandler& on_diagnostic = {});
-    /// Reads the data of a text. `tell` receives all errors of its lines, the failure has the first one.
+    /// Reads the data of a text. `on_diagnostic` receives all errors of its lines, the returned error is the
+    /// first one.
     static tl::expected<MachineData, Error> read(std::string_view text, std::string name,
                                                  const Machine* machine = nullptr,
                                                  const DiagnosticHandler& on_diagnostic = {});

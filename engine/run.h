@@ -61,8 +61,8 @@ class GSIM_API Run {
     /// Amount done, and total amount; `total` 0: not known.
     using Progress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-    /// Reads machine and cell, and opens the program: files that may be in any folder. `tell` receives all
-    /// diagnostics of inputs until the run is destroyed; the report has them, too.
+    /// Reads machine and cell, and opens the program: files that may be in any folder. `on_diagnostic`
+    /// receives all diagnostics of inputs until the run is destroyed; the report has them, too.
     static tl::expected<Run, Error> open(Request request, DiagnosticHandler on_diagnostic = {});
     /// Does the same on a machine that has been read, with its bodies, for this request or another one. The
     /// request's machine and cell are ignored, and so are its machine data if the cell named some. The

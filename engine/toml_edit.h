@@ -22,7 +22,7 @@ struct EditedToml {
 /// `changes` are JSON, a list of {"op": "set", "at": ["axis", 0, "max_mm"], "value": 600}, {"op": "add",
 /// "at": ["object"], "value": {...}}, {"op": "remove", "at": [...]} and {"op": "move", "at": ["axis", 2],
 /// "to": 0}. Keys of new tables are inserted in the order of docs/machine-file.md and docs/cell-file.md. If
-/// the file is no TOML, `tell` receives the source location. The file itself is not written.
+/// the file is no TOML, `on_diagnostic` receives the source location. The file itself is not written.
 GSIM_API tl::expected<EditedToml, Error> edited_toml(const Host& host, const std::string& name,
                                                      std::string_view changes,
                                                      const DiagnosticHandler& on_diagnostic = {});

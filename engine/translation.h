@@ -41,10 +41,10 @@ class GSIM_API Translation {
 
     /// Reserves the system resources of a long script now: a temporary file.
     void reserve_space();
-    /// Translates. `tell` receives the errors of the program; the failure says that it has errors, or why it
-    /// was not read to its end.
+    /// Translates. `on_diagnostic` receives the errors of the program; the returned error says that it has
+    /// errors, or why it was not read to its end.
     tl::expected<void, Error> make(const DiagnosticHandler& on_diagnostic);
-    /// Writes the Lua in parts: line n of the program is its line n+1. `take` returns false to stop.
+    /// Writes the Lua in parts: line n of the program is its line n+1. `callback` returns false to stop.
     tl::expected<void, Error> write(const std::function<bool(std::string_view)>& callback) const;
 
   private:

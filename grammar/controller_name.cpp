@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -20,27 +21,27 @@ struct ControllerEntry {
 
 constexpr std::string_view kAb9 = "ab9";
 constexpr std::string_view kNgc = "rs274ngc";
-constexpr std::string_view kKlipper = "klipper";
 
 constexpr std::string_view kFanuc =
-    "a relative of the 9/Series with the same macros and subprograms; codes and parameters of its own "
-    "(G5.1, G54.1 P, G10 L50, #3000 on) are errors or mean what they mean on the 9/Series";
+    "similar to the 9/Series, with the same macros and subprograms; its additional codes and parameters "
+    "(G5.1, G54.1 P, G10 L50, #3000 on) are errors or have the meaning of the 9/Series";
 constexpr std::string_view kHaas =
-    "a relative of the 9/Series; G12, G13, G70, G71, G150 and settings of its own are not read as it means "
-    "them, and its programs in inches often do not say G20";
+    "similar to the 9/Series; G12, G13, G70, G71, G150 and its additional settings do not have its meaning "
+    "here, and its programs in inches often lack G20";
 constexpr std::string_view kGrbl =
-    "it knows a part of that language; what it lacks (O-words, parameters, cycles) passes here all the same";
+    "it supports a part of that language; the parts that it lacks (O-words, parameters, cycles) are accepted "
+    "here";
 constexpr std::string_view kMach =
-    "a relative of LinuxCNC: M98 P with O numbers as there, but no O-words; G12, G13 and macros in M codes "
-    "are its own";
-constexpr std::string_view kPathPilot = "built on LinuxCNC; G47 and the M codes of its probing are its own";
-constexpr std::string_view kEding = "a relative of LinuxCNC with IF and SUB of its own in place of O-words";
-constexpr std::string_view kTinyG = "it knows a part of that language; its JSON commands are not read";
+    "similar to LinuxCNC: M98 P with O numbers, but no O-words; G12, G13 and macros in M codes are specific "
+    "to it";
+constexpr std::string_view kPathPilot =
+    "based on LinuxCNC; G47 and the M codes of its probing are specific to it";
+constexpr std::string_view kEding = "similar to LinuxCNC, but with a specific IF and SUB instead of O-words";
+constexpr std::string_view kTinyG =
+    "it supports a part of that language; its JSON commands are not supported here";
 
+// The names of the dialects come before these; a row with such a name is ignored.
 constexpr std::array kControllers{
-    ControllerEntry{"ab9", kAb9, ""},
-    ControllerEntry{"rs274ngc", kNgc, ""},
-    ControllerEntry{"klipper", kKlipper, ""},
     ControllerEntry{"9/series", kAb9, ""},
     ControllerEntry{"allen-bradley", kAb9, ""},
     ControllerEntry{"linuxcnc", kNgc, ""},
@@ -62,15 +63,24 @@ constexpr std::array kControllers{
     ControllerEntry{"pathpilot", kNgc, kPathPilot},
     ControllerEntry{"tinyg", kNgc, kTinyG},
     ControllerEntry{"tormach", kNgc, kPathPilot},
-    ControllerEntry{"heidenhain", "", "Heidenhain's own language (BEGIN PGM, L X+10 FMAX) is not read"},
-    ControllerEntry{
-        "siemens", "",
-        "the language of Sinumerik (DEF, R1=, MCALL) is not read; programs in its ISO mode are near to ab9"},
-    ControllerEntry{
-        "sinumerik", "",
-        "the language of Sinumerik (DEF, R1=, MCALL) is not read; programs in its ISO mode are near to ab9"},
-    ControllerEntry{"okuma", "", "the language of OSP controls (VC1=, CALL O1, NLAP) is not read"},
+    ControllerEntry{"heidenhain", "", "the language of Heidenhain (BEGIN PGM, L X+10 FMAX) is not supported"},
+    ControllerEntry{"siemens", "",
+                    "the language of Sinumerik (DEF, R1=, MCALL) is not supported; programs in its ISO mode "
+                    "are similar to ab9"},
+    ControllerEntry{"sinumerik", "",
+                    "the language of Sinumerik (DEF, R1=, MCALL) is not supported; programs in its ISO mode "
+                    "are similar to ab9"},
+    ControllerEntry{"okuma", "", "the language of OSP controllers (VC1=, CALL O1, NLAP) is not supported"},
 };
+
+/// Returns the dialects by their names, and then the controllers.
+std::vector<ControllerEntry> controllers() {
+    std::vector<ControllerEntry> entries;
+    for (const std::string_view name : dialect_names()) entries.push_back({name, name, ""});
+    std::copy_if(kControllers.begin(), kControllers.end(), std::back_inserter(entries),
+                 [](const ControllerEntry& controller) { return find_dialect(controller.name) == nullptr; });
+    return entries;
+}
 
 // Returns letters and digits alone, in lower case.
 std::string normalized_name(std::string_view name) {
@@ -84,24 +94,24 @@ std::string normalized_name(std::string_view name) {
 
 std::string unknown(std::string_view name) {
     std::vector<std::string_view> known;
-    known.reserve(kControllers.size());
-    for (const ControllerEntry& controller : kControllers) known.push_back(controller.name);
+    for (const ControllerEntry& controller : controllers()) known.push_back(controller.name);
     const auto nearest = text::nearest_name(name, known);
-    return fmt::format("there is no dialect or control '{}'; {}", name,
+    return fmt::format("unknown dialect or controller '{}'; {}", name,
                        nearest
                            ? fmt::format("did you mean '{}'?", *nearest)
-                           : std::string("the dialects are ab9, rs274ngc and klipper, and docs/language.md "
-                                         "lists the controls"));
+                           : fmt::format("the dialects are {}, and docs/language.md lists the controllers",
+                                         text::enumerated(dialect_names(), "and")));
 }
 
 }  // namespace
 
 tl::expected<ControllerName, std::string> find_controller(std::string_view name) {
     const std::string requested = normalized_name(name);
-    const auto* controller =
-        std::find_if(kControllers.begin(), kControllers.end(),
-                     [&](const ControllerEntry& one) { return normalized_name(one.name) == requested; });
-    if (controller == kControllers.end()) return tl::unexpected(unknown(name));
+    const std::vector<ControllerEntry> entries = controllers();
+    const auto controller = std::find_if(entries.begin(), entries.end(), [&](const ControllerEntry& one) {
+        return normalized_name(one.name) == requested;
+    });
+    if (controller == entries.end()) return tl::unexpected(unknown(name));
     if (controller->dialect.empty()) return tl::unexpected(std::string(controller->caution));
     ControllerName found{.dialect = find_dialect(controller->dialect)};
     if (!controller->caution.empty()) {
@@ -113,15 +123,15 @@ tl::expected<ControllerName, std::string> find_controller(std::string_view name)
 
 std::vector<std::string> controller_names() {
     std::vector<std::string> names;
-    for (const ControllerEntry& controller : kControllers) {
+    for (const ControllerEntry& controller : controllers()) {
         if (!controller.dialect.empty()) names.emplace_back(controller.name);
     }
     return names;
 }
 
 std::string controller_table() {
-    std::string table = "| control | dialect | to mind |\n| --- | --- | --- |\n";
-    for (const ControllerEntry& controller : kControllers) {
+    std::string table = "| controller | dialect | notes |\n| --- | --- | --- |\n";
+    for (const ControllerEntry& controller : controllers()) {
         text::append_format(
             table, "| `{}` | {} | {} |\n", controller.name,
             controller.dialect.empty() ? std::string("none") : fmt::format("`{}`", controller.dialect),

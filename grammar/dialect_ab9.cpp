@@ -10,6 +10,8 @@ namespace ab9_table {
 
 using enum Group;
 using enum Support;
+using lexer::ExpressionName;
+using lexer::Operator;
 using P = Phase;
 using A = AxisUse;
 using C = Compensation;
@@ -41,7 +43,7 @@ constexpr std::array kFixedCodes = {
     Code{'G', 270, none, P::motion, A::data, "", full, "machine home check", C::rejected},
     Code{'G', 280, none, P::motion, A::data, "", full, "return to machine home", C::rejected},
     Code{'G', 290, none, P::motion, A::data, "", full, "return from machine home", C::rejected},
-    Code{'G', 300, none, P::motion, A::data, "P", full, "return to a further home position", C::rejected},
+    Code{'G', 300, none, P::motion, A::data, "P", full, "return to a secondary home position", C::rejected},
     Code{'G', 310, none, P::motion, A::data, "", full, "skip", C::rejected},
     Code{'G', 330, motion, P::motion, A::motion, "EF", full, "thread cutting"},
     Code{'G', 390, none, P::motion, A::none, "", full, "corner arc"},
@@ -49,8 +51,7 @@ constexpr std::array kFixedCodes = {
     Code{'G', 410, cutter_compensation, P::compensation, A::none, "D", full, "cutter compensation, left"},
     Code{'G', 420, cutter_compensation, P::compensation, A::none, "D", full, "cutter compensation, right"},
     Code{'G', 430, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset, plus"},
-    Code{'G', 434, Group::tool_length, P::tool_length, A::none, "H", full, "tool-centre-point control",
-         C::rejected},
+    Code{'G', 434, Group::tool_length, P::tool_length, A::none, "H", full, "TCP control", C::rejected},
     Code{'G', 440, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset, minus"},
     Code{'G', 470, acceleration, P::path_mode, A::none, "", full, "linear acceleration mode"},
     Code{'G', 471, acceleration, P::path_mode, A::none, "", full, "S-curve acceleration mode"},
@@ -117,8 +118,7 @@ constexpr std::array kFixedCodes = {
     Code{'G', 900, Group::distance, P::distance, A::none, "", full, "absolute dimensions"},
     Code{'G', 910, Group::distance, P::distance, A::none, "", full, "incremental dimensions"},
     Code{'G', 920, none, P::data, A::data, "", full, "coordinate system offset", C::lead_out_and_in},
-    Code{'G', 921, none, P::data, A::none, "", full, "cancel of the coordinate system offset",
-         C::lead_out_and_in},
+    Code{'G', 921, none, P::data, A::none, "", full, "coordinate system offset off", C::lead_out_and_in},
     Code{'G', 930, Group::feed_mode, P::feed_mode, A::none, "", full, "inverse time feed"},
     Code{'G', 940, Group::feed_mode, P::feed_mode, A::none, "", full, "feed per minute"},
     Code{'G', 950, Group::feed_mode, P::feed_mode, A::none, "", full, "feed per revolution"},
@@ -172,9 +172,10 @@ constexpr auto kCodes = make_codes();
 constexpr std::array kLetters = {
     Letter{"A B C X Y Z", "axes: target in mm, inch or deg (by G20, G21, G90, G91)"},
     Letter{"U V W",
-           "axes of their own, or increments of X, Y and Z where the machine has none; U: seconds of G04"},
+           "separate axes, or increments of X, Y and Z if the machine does not have these axes; U: seconds "
+           "of G04"},
     Letter{"I J K", "centre of an arc from its start; data of cycles, scaling and zones"},
-    Letter{"I1= J1= K1=", "point that CIP goes through"},
+    Letter{"I1= J1= K1=", "intermediate point of CIP"},
     Letter{"R", "radius of an arc; level of cycles; angle of G68"},
     Letter{"AR=", "angle of an arc in deg"},
     Letter{",C ,R ,A", "chamfer, corner radius, angle of a line"},
@@ -188,21 +189,61 @@ constexpr std::array kLetters = {
     Letter{"N O /", "block number, program, block delete /1 to /9"},
 };
 
+constexpr std::array kExpressionNames = {
+    ExpressionName{"EQ", lexer::kRelation, Operator::equal, "equal"},
+    ExpressionName{"NE", lexer::kRelation, Operator::not_equal, "not equal"},
+    ExpressionName{"GT", lexer::kRelation, Operator::greater, "greater"},
+    ExpressionName{"GE", lexer::kRelation, Operator::greater_equal, "greater or equal"},
+    ExpressionName{"LT", lexer::kRelation, Operator::less, "less"},
+    ExpressionName{"LE", lexer::kRelation, Operator::less_equal, "less or equal"},
+    ExpressionName{"AND", lexer::kProductWord, Operator::bit_and,
+                   "bitwise and of integers; logical and of conditions"},
+    ExpressionName{"OR", lexer::kSumWord, Operator::bit_or,
+                   "bitwise or of integers; logical or of conditions"},
+    ExpressionName{"XOR", lexer::kSumWord, Operator::bit_xor,
+                   "bitwise exclusive or of integers; logical exclusive or of conditions"},
+    ExpressionName{"MOD", lexer::kProductWord, Operator::modulo,
+                   "remainder (9/Series: with the sign of the divisor; RS274/NGC: not negative)"},
+    ExpressionName{"SIN", lexer::kFunction, Operator::sin, "sine of degrees"},
+    ExpressionName{"COS", lexer::kFunction, Operator::cos, "cosine of degrees"},
+    ExpressionName{"TAN", lexer::kFunction, Operator::tan, "tangent of degrees"},
+    ExpressionName{"ASIN", lexer::kFunction, Operator::asin, "arc sine in degrees"},
+    ExpressionName{"ACOS", lexer::kFunction, Operator::acos, "arc cosine in degrees"},
+    ExpressionName{"ATAN", lexer::kAtan, Operator::atan, "angle in degrees; ATAN[a]/[b] of the point (b, a)"},
+    ExpressionName{"SQRT", lexer::kFunction, Operator::sqrt, "square root"},
+    ExpressionName{"SQR", lexer::kFunction, Operator::sqrt, "square root"},
+    ExpressionName{"ABS", lexer::kFunction, Operator::abs, "absolute value"},
+    ExpressionName{"ROUND", lexer::kFunction, Operator::round, "nearest integer"},
+    ExpressionName{"RND", lexer::kFunction, Operator::round, "nearest integer"},
+    ExpressionName{"FIX", lexer::kFunction, Operator::fix, "integer towards 0 (RS274/NGC: downwards)"},
+    ExpressionName{"FUP", lexer::kFunction, Operator::fup, "integer away from 0 (RS274/NGC: upwards)"},
+    ExpressionName{"LN", lexer::kFunction, Operator::ln, "natural logarithm"},
+    ExpressionName{"EXP", lexer::kFunction, Operator::exp, "power of e"},
+    ExpressionName{"BIN", lexer::kFunction, Operator::bin, "value of a binary-coded decimal"},
+    ExpressionName{"BCD", lexer::kFunction, Operator::bcd, "binary-coded decimal of a value"},
+};
+
 }  // namespace ab9_table
 
 }  // namespace
 
 const Dialect& dialect_ab9() {
-    static const Dialect dialect({.name = "ab9",
-                                  .title = "Allen-Bradley 9/Series",
-                                  .style = lexer::Style::ab9,
-                                  .lua_module = "gsim",
-                                  .standalone = "FSTDH",
-                                  .move_words = "IJKR=1PLQ,",
-                                  .initial = " G0 G17 G21 G40 G49 G54 G67 G69 G80 G90 G94 G97 G98 ",
-                                  .letters = ab9_table::kLetters,
-                                  .order = {}},
-                                 ab9_table::kCodes);
+    using namespace ab9_table;
+    static const Dialect dialect(
+        DialectRules{.name = "ab9",
+                     .title = "Allen-Bradley 9/Series",
+                     .lua_module = "gsim",
+                     .text = {.controller = "the 9/Series",
+                              .separate_assignments = true,
+                              .ambiguous_words = true,
+                              .brackets_in_comments = true,
+                              .tape_leader = true},
+                     .blocks = {.standalone = "FSTDH", .move_words = "IJKR=1PLQ,", .dwell_words = "PXU"},
+                     .initial = " G0 G17 G21 G40 G49 G54 G67 G69 G80 G90 G94 G97 G98 ",
+                     .has_block_jumps = true,
+                     .codes = {kCodes.begin(), kCodes.end()},
+                     .letters = {kLetters.begin(), kLetters.end()},
+                     .expression_names = {kExpressionNames.begin(), kExpressionNames.end()}});
     return dialect;
 }
 

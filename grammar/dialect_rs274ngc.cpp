@@ -1,6 +1,7 @@
 #include <array>
 
 #include "grammar/dialect.h"
+#include "grammar/rows.h"
 
 namespace gsim::grammar {
 
@@ -10,6 +11,8 @@ namespace rs274ngc_table {
 
 using enum Group;
 using enum Support;
+using lexer::ExpressionName;
+using lexer::Operator;
 using P = Phase;
 using A = AxisUse;
 using C = Compensation;
@@ -37,9 +40,10 @@ constexpr std::array kFixedCodes = {
     Code{'G', 191, plane, P::plane, A::none, "", planned, "VW plane"},
     Code{'G', 200, units, P::units, A::none, "", full, "inches"},
     Code{'G', 210, units, P::units, A::none, "", full, "millimetres"},
-    Code{'G', 280, non_modal, P::data, A::data, "", full, "go to the first predefined position", C::rejected},
+    Code{'G', 280, non_modal, P::data, A::data, "", full, "move to the first predefined position",
+         C::rejected},
     Code{'G', 281, non_modal, P::data, A::none, "", full, "set the first predefined position", C::rejected},
-    Code{'G', 300, non_modal, P::data, A::data, "", full, "go to the second predefined position",
+    Code{'G', 300, non_modal, P::data, A::data, "", full, "move to the second predefined position",
          C::rejected},
     Code{'G', 301, non_modal, P::data, A::none, "", full, "set the second predefined position", C::rejected},
     Code{'G', 330, motion, P::motion, A::motion, "K$", full, "spindle-synchronised move",
@@ -57,7 +61,7 @@ constexpr std::array kFixedCodes = {
     Code{'G', 421, cutter_compensation, P::compensation, A::none, "DL", full,
          "cutter compensation, right, by diameter"},
     Code{'G', 430, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset", C::rejected},
-    Code{'G', 431, Group::tool_length, P::tool_length, A::data, "", full, "tool offset by its values",
+    Code{'G', 431, Group::tool_length, P::tool_length, A::data, "", full, "tool offset with given values",
          C::rejected},
     Code{'G', 432, Group::tool_length, P::tool_length, A::data, "H", full, "additional tool offset",
          C::rejected},
@@ -96,13 +100,14 @@ constexpr std::array kFixedCodes = {
     Code{'G', 820, motion, P::motion, A::motion, "LPR", full, "drilling with dwell", C::rejected},
     Code{'G', 830, motion, P::motion, A::motion, "LQR", full, "peck drilling", C::rejected},
     Code{'G', 840, motion, P::motion, A::motion, "LPR$", full, "right-hand tapping", C::rejected},
-    Code{'G', 850, motion, P::motion, A::motion, "LR", full, "boring, out at feed", C::rejected},
-    Code{'G', 860, motion, P::motion, A::motion, "LPR$", full, "boring, spindle stop, out at rapid",
+    Code{'G', 850, motion, P::motion, A::motion, "LR", full, "boring, retract at feed", C::rejected},
+    Code{'G', 860, motion, P::motion, A::motion, "LPR$", full, "boring, spindle stop, retract at rapid",
          C::rejected},
     Code{'G', 870, motion, P::motion, A::motion, "IJKLR", full, "back boring", C::rejected},
-    Code{'G', 880, motion, P::motion, A::motion, "LPR", full, "boring, spindle stop, out by hand",
+    Code{'G', 880, motion, P::motion, A::motion, "LPR", full, "boring, spindle stop, manual retract",
          C::rejected},
-    Code{'G', 890, motion, P::motion, A::motion, "LPR", full, "boring with dwell, out at feed", C::rejected},
+    Code{'G', 890, motion, P::motion, A::motion, "LPR", full, "boring with dwell, retract at feed",
+         C::rejected},
     Code{'G', 900, Group::distance, P::distance, A::none, "", full, "absolute dimensions"},
     Code{'G', 910, Group::distance, P::distance, A::none, "", full, "incremental dimensions"},
     Code{'G', 901, arc_distance, P::distance, A::none, "", full, "arc centres absolute"},
@@ -152,7 +157,7 @@ constexpr std::array kFixedCodes = {
          "analog output, with the next move", C::rejected},
     Code{'M', 680, Group::input_output, P::input_output, A::none, "EQ", full, "analog output", C::rejected},
     Code{'M', 700, modal_state, P::input_output, A::none, "", full, "save the modal state"},
-    Code{'M', 710, modal_state, P::input_output, A::none, "", full, "make the saved modal state invalid"},
+    Code{'M', 710, modal_state, P::input_output, A::none, "", full, "invalidate the saved modal state"},
     Code{'M', 720, modal_state, P::input_output, A::none, "", full, "restore the modal state"},
     Code{'M', 730, modal_state, P::input_output, A::none, "", full,
          "save the modal state, restore it at the end of the subroutine"},
@@ -198,22 +203,61 @@ constexpr std::array kOrder = {
     P::data,         P::one_shot,    P::motion,        P::flow,
 };
 
+// Functions and operators that differ from those of the 9/Series.
+constexpr std::array kExpressionNames = {
+    ExpressionName{"EQ", lexer::kRelation, Operator::near_equal, "equal within 0.0001"},
+    ExpressionName{"NE", lexer::kRelation, Operator::not_near_equal, "not equal within 0.0001"},
+    ExpressionName{"AND", lexer::kLogicWord, Operator::bit_and, "logical and: 1 or 0"},
+    ExpressionName{"OR", lexer::kLogicWord, Operator::bit_or, "logical or: 1 or 0"},
+    ExpressionName{"XOR", lexer::kLogicWord, Operator::bit_xor, "logical exclusive or: 1 or 0"},
+    ExpressionName{"EXISTS", lexer::kExists, Operator::exists,
+                   "1 if the parameter exists (a named one: if it has a value), else 0"},
+};
+
+std::vector<ExpressionName> expression_names() {
+    std::vector<ExpressionName> names = dialect_ab9().rules().expression_names;
+    set_rows(names, kExpressionNames);
+    remove_rows(names, {"SQR", "RND", "BIN", "BCD"});
+    return names;
+}
+
 }  // namespace rs274ngc_table
 
 }  // namespace
 
 const Dialect& dialect_rs274ngc() {
+    using namespace rs274ngc_table;
     static const Dialect dialect(
-        {.name = "rs274ngc",
-         .title = "RS274/NGC",
-         .style = lexer::Style::rs274ngc,
-         .lua_module = "gsim.rs274ngc",
-         .standalone = "FST",
-         .move_words = "IJKRPLQEHD",
-         .initial = " G8 G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
-         .letters = rs274ngc_table::kLetters,
-         .order = rs274ngc_table::kOrder},
-        rs274ngc_table::kCodes);
+        DialectRules{.name = "rs274ngc",
+                     .title = "RS274/NGC",
+                     .lua_module = "gsim.rs274ngc",
+                     .text = {.controller = "RS274/NGC",
+                              .blanks_within_words = true,
+                              .has_o_words = true,
+                              .names_in_angle_brackets = true,
+                              .has_power_operator = true,
+                              .chained_comparisons = true,
+                              .unbracketed_variable_index = true,
+                              .tape_marks_end_program = true,
+                              .missing_keywords_hint =
+                                  "; IF, WHILE, GOTO and END belong to the 9/Series, see --dialect ab9"},
+                     .blocks = {.standalone = "FST",
+                                .move_words = "IJKRPLQEHD",
+                                .dwell_words = "P",
+                                .values_before_actions = true,
+                                .computed_codes = true,
+                                .data_excludes_motion = true,
+                                .shared_words = true,
+                                .separate_calls = true,
+                                .order = kOrder},
+                     .initial = " G8 G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
+                     .active_comments = true,
+                     .first_program_counts = true,
+                     .end_code_ends_text = true,
+                     .offset_variables = true,
+                     .codes = {kCodes.begin(), kCodes.end()},
+                     .letters = {kLetters.begin(), kLetters.end()},
+                     .expression_names = expression_names()});
     return dialect;
 }
 

@@ -19,7 +19,7 @@ bool Parser::run() {
     if (gcode_parse(*this) == 0) return true;
     if (!diagnostics_.full()) {
         diagnostics_.error(block_.text->begin, DiagnosticKind::syntax,
-                           "the parser gave up on this block and the rest of the program");
+                           "the parser stopped at this block; the remaining program was not checked");
     }
     return false;
 }
@@ -40,38 +40,39 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
     switch (lexer.last_token()) {
         case lexer::kEob:
         case lexer::kEnd: return "the block ends too early";
-        case lexer::kSequence: return "N stands at the start of a block, and once";
-        case lexer::kSkip: return "block delete '/' stands at the start of a block, and once";
-        case lexer::kProgram: return "a program name stands at the start of a block";
+        case lexer::kSequence: return "N must be at the start of a block, and only once";
+        case lexer::kSkip: return "block delete '/' must be at the start of a block, and only once";
+        case lexer::kProgram: return "a program name must be at the start of a block";
         case lexer::kFlowName:
-        case lexer::kFlowLetter: return "an O-word stands at the start of a block, and once";
-        case lexer::kFlow: return "behind an O-word stands one keyword, and its values in brackets";
-        case lexer::kSet: return "'=' is out of place";
-        case lexer::kPrint: return "POPEN, PCLOS and DPRNT[..] stand in a block of their own";
+        case lexer::kFlowLetter: return "an O-word must be at the start of a block, and only once";
+        case lexer::kFlow: return "an O-word must be followed by one keyword, with its values in brackets";
+        case lexer::kSet: return "'=' is not allowed here";
+        case lexer::kPrint: return "POPEN, PCLOS and DPRNT[..] must be in a separate block";
         case lexer::kFunction:
         case lexer::kAtan:
-        case lexer::kExists: return "a function stands in the value of a word or in an expression";
+        case lexer::kExists: return "a function must be in the value of a word or in an expression";
         case lexer::kSumWord:
         case lexer::kProductWord:
         case lexer::kPower:
         case lexer::kLogicWord:
         case lexer::kComparison: return "the operator has no value before it";
         case lexer::kNumber:
-            return lexer.is_ngc() && text.structural ? "values behind an O-word stand in brackets"
-                                                     : "a number without its letter";
+            return lexer.rules().has_o_words && text.structural ? "values after an O-word must be in brackets"
+                                                                : "a number without its letter";
         case lexer::kHash:
-        case lexer::kVariable: return "a variable stands here neither as the value of a word nor before '='";
-        case lexer::kRelation: return "a comparison is out of place; comparisons are joined as [..] AND [..]";
+        case lexer::kVariable: return "a variable must be the value of a word, or precede '='";
+        case lexer::kRelation:
+            return "a comparison is not allowed here; comparisons are combined as [..] AND [..]";
         case lexer::kDwell:
-            return "G04 stands with an axis word, M98 or M99, or twice; it takes one of P, X and U, its "
-                   "seconds";
-        case lexer::kCall: return "M98 and M99 stand once in a block, and not with G04";
+            return "G04 is given with an axis word, M98 or M99, or twice; it requires one of P, X and U, the "
+                   "time in seconds";
+        case lexer::kCall: return "M98 and M99 must be given only once in a block, and not with G04";
         case lexer::kAxis:
         case lexer::kAxisLetter:
         case lexer::kP:
         case lexer::kAxisOrTime:
-            if (lexer.saw_dwell() && !text.words.empty()) {
-                return fmt::format("{} has no meaning in a block with G04, which takes one of P, X and U",
+            if (lexer.words().saw_dwell() && !text.words.empty()) {
+                return fmt::format("{} has no meaning in a block with G04, which requires one of P, X and U",
                                    lexer::address_name(text.words.back().address));
             }
             break;
@@ -84,18 +85,18 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         case lexer::kIf:
         case lexer::kWhile:
         case lexer::kEndLoop:
-            return "a keyword is out of place; IF [..] GOTO n, IF [..] THEN .., WHILE [..] DO m, END m and "
-                   "GOTO n stand in a block of their own";
+            return "a keyword is not allowed here; IF [..] GOTO n, IF [..] THEN .., WHILE [..] DO m, END m "
+                   "and GOTO n must be in a separate block";
         default: break;
     }
     const Token token = lexer.last_token();
-    if (!lexer.is_ngc() && token == '=' && lexer.previous_token() == lexer::kVariable) {
-        return "an assignment stands in a block of its own";
+    if (lexer.rules().separate_assignments && token == '=' && lexer.previous_token() == lexer::kVariable) {
+        return "an assignment must be in a separate block";
     }
-    if (token > ' ' && token < 0x7f) return fmt::format("'{}' is out of place", static_cast<char>(token));
+    if (token > ' ' && token < 0x7f) return fmt::format("'{}' is not allowed here", static_cast<char>(token));
     if (!text.words.empty())
-        return fmt::format("{} is out of place", lexer::address_name(text.words.back().address));
-    return "this is out of place";
+        return fmt::format("{} is not allowed here", lexer::address_name(text.words.back().address));
+    return "this is not allowed here";
 }
 
 /// Returns true for the first two letters of IF, WHILE, GOTO or END.
@@ -128,22 +129,21 @@ void Parser::syntax_error() {
     if (opens_word(lexer_.previous_token())) {
         // A letter after a letter has opened a word of its own.
         const std::size_t opened_words = opens_word(lexer_.last_token()) ? 1 : 0;
-        const lexer::Word& word = text.words[lexer_.open_word_index() - opened_words];
-        const bool keyword = opened_words == 1 && lexer_.is_ngc() &&
-                             begins_macro_keyword(word.address, text.words.back().address);
-        lexer_.fail(
-            word.column, DiagnosticKind::word_without_value,
-            fmt::format("{} has no value{}", lexer::address_name(word.address),
-                        keyword ? "; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9" : ""));
+        const lexer::Word& word = text.words[lexer_.words().open_word_index() - opened_words];
+        const bool keyword =
+            opened_words == 1 && begins_macro_keyword(word.address, text.words.back().address);
+        lexer_.errors().fail(word.column, DiagnosticKind::word_without_value,
+                             fmt::format("{} has no value{}", lexer::address_name(word.address),
+                                         keyword ? lexer_.rules().missing_keywords_hint : ""));
         return;
     }
     if (is_variable(lexer_.previous_token()) && may_follow_value(lexer_.last_token()) &&
-        !lexer_.saw_dwell()) {
-        lexer_.fail(lexer_.previous_column(), DiagnosticKind::syntax,
-                    "a variable stands here neither as the value of a word nor before '='");
+        !lexer_.words().saw_dwell()) {
+        lexer_.errors().fail(lexer_.previous_column(), DiagnosticKind::syntax,
+                             "a variable must be the value of a word, or precede '='");
         return;
     }
-    lexer_.fail(lexer_.token_column(), DiagnosticKind::syntax, describe(lexer_, text));
+    lexer_.errors().fail(lexer_.cursor().column(), DiagnosticKind::syntax, describe(lexer_, text));
 }
 
 void Parser::finish_block() {
@@ -154,8 +154,8 @@ void Parser::finish_block() {
 }
 
 void Parser::finish_bad_block() {
-    lexer_.fail(1, DiagnosticKind::syntax,
-                "the block cannot be understood");  // unless a closer message has been given
+    lexer_.errors().fail(1, DiagnosticKind::syntax,
+                         "the block is not valid");  // unless a closer message has been given
     finish_block();
 }
 
@@ -173,14 +173,16 @@ void Parser::set_expression(std::uint32_t word, std::uint32_t node) {
 }
 
 void Parser::set_sequence(Value value) {
-    if (block_.sequence) lexer_.fail(value.column, DiagnosticKind::word_twice, "a block has one N");
+    if (block_.sequence)
+        lexer_.errors().fail(value.column, DiagnosticKind::word_twice, "a block must have only one N");
     block_.sequence = value.index;
     block_.prefix_column = value.column;
 }
 
 void Parser::set_skip(Value value) {
     if (block_.skip_level != 0)
-        lexer_.fail(value.column, DiagnosticKind::word_twice, "a block has one block delete '/'");
+        lexer_.errors().fail(value.column, DiagnosticKind::word_twice,
+                             "a block must have only one block delete '/'");
     block_.skip_level = static_cast<std::uint8_t>(value.index);
     block_.prefix_column = value.column;
 }
@@ -200,7 +202,7 @@ void Parser::set_loop(Value number) {
     const std::string_view digits = block_.text->view(block_.text->numbers[number.index]);
     block_.loop = digits.size() == 1 ? static_cast<std::uint32_t>(digits[0] - '0') : 0;
     if (block_.loop < 1 || block_.loop > 3)
-        lexer_.fail(number.column, DiagnosticKind::number, "DO and END take 1, 2 or 3");
+        lexer_.errors().fail(number.column, DiagnosticKind::number, "DO and END require 1, 2 or 3");
 }
 
 void Parser::add_assignment(std::uint32_t target, std::uint32_t value) {
@@ -215,8 +217,8 @@ void Parser::set_flow_name(std::uint32_t column, std::optional<std::uint32_t> no
 
 void Parser::set_flow_program() {
     if (block_.flow_node >= 0) {
-        lexer_.fail(block_.flow_column, DiagnosticKind::structure,
-                    "a program begins with a number or a name, not with an expression");
+        lexer_.errors().fail(block_.flow_column, DiagnosticKind::structure,
+                             "the name of a program must be a number or a name, not an expression");
     }
     block_.has_program = true;
 }
@@ -239,7 +241,7 @@ FlowSyntax flow_syntax(Flow flow) {
         case Flow::if_:
         case Flow::else_if:
         case Flow::while_: return {1, 1, "its condition in brackets"};
-        case Flow::repeat: return {1, 1, "the number of passes in brackets"};
+        case Flow::repeat: return {1, 1, "the number of repetitions in brackets"};
         default: return {0, 0, "nothing"};
     }
 }
@@ -251,13 +253,13 @@ void Parser::set_flow(Value keyword) {
     block_.flow = static_cast<Flow>(keyword.index);
     const FlowSyntax shape = flow_syntax(block_.flow);
     if (block_.arguments.size() < shape.min || block_.arguments.size() > shape.max)
-        lexer_.fail(keyword.column, DiagnosticKind::word_value,
-                    fmt::format("behind this keyword stands {}", shape.text));
+        lexer_.errors().fail(keyword.column, DiagnosticKind::word_value,
+                             fmt::format("this keyword must be followed by {}", shape.text));
     const bool expression = block_.flow_node >= 0;
     if (expression && block_.flow != Flow::call) {
-        lexer_.fail(
+        lexer_.errors().fail(
             block_.flow_column, DiagnosticKind::structure,
-            "an O-word whose number is an expression can only be called; others are numbers or <names>");
+            "an O-word whose number is an expression can only be called; others must be numbers or <names>");
     }
 }
 
@@ -291,9 +293,9 @@ std::uint32_t Parser::add_variable(Value variable) {
 }
 
 std::uint32_t Parser::add_unbracketed_index(Value number) {
-    if (!lexer_.is_ngc())
-        lexer_.fail(number.column, DiagnosticKind::syntax,
-                    "the number of a variable that is worked out stands in brackets, as in #[1+#2]");
+    if (!lexer_.rules().unbracketed_variable_index)
+        lexer_.errors().fail(number.column, DiagnosticKind::syntax,
+                             "a computed variable number must be in brackets, as in #[1+#2]");
     return add_node(NodeKind::indirect, Operator::add, number);
 }
 

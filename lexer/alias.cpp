@@ -35,11 +35,13 @@ bool is_number(std::string_view text) {
 std::optional<std::string> Aliases::add(std::string_view name, std::string_view word) {
     if (!is_name(name)) {
         return fmt::format(
-            "'{}' is not a name for an alias: two letters or more first, then letters, digits and '_'", name);
+            "'{}' is not a valid name of an alias: it must begin with at least two letters, then letters, "
+            "digits and '_'",
+            name);
     }
     if (word.empty() || !is_letter(word[0]) || !is_number(word.substr(1))) {
         return fmt::format(
-            "'{}' is not a word that an alias can stand for: one letter and a number, such as M08", word);
+            "'{}' is not a valid word for an alias: it must be one letter and a number, such as M08", word);
     }
     const auto [found_entry, is_new] = words_.try_emplace(
         text::upper(name), Word{text::upper(word.substr(0, 1))[0], std::string(word.substr(1))});

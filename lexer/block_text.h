@@ -77,6 +77,15 @@ struct BlockText {
         return std::string_view(text).substr(slice.begin, slice.size);
     }
     Slice add(std::string_view fragment);
+    /// Starts a comment, to which its parts are added.
+    void start_comment() { comments.push_back({static_cast<std::uint32_t>(text.size()), 0}); }
+    void add_to_comment(std::string_view fragment) { comments.back().size += add(fragment).size; }
+    /// Adds a part of the remark after ';', which is the last comment.
+    void add_to_remark(std::string_view fragment) {
+        if (!remark) start_comment();
+        remark = true;
+        add_to_comment(fragment);
+    }
     Location at(std::uint32_t column) const { return {begin.line_begin, begin.line, column}; }
     void clear();
 };

@@ -85,7 +85,7 @@ void Diagnostics::error(const Location& location, DiagnosticKind kind, std::stri
     handler_({.severity = text::Severity::note,
               .kind = DiagnosticKind::too_many_errors,
               .file = source_.name(),
-              .text = fmt::format("{} errors, giving up", errors_)});
+              .text = fmt::format("stopped after {} errors", errors_)});
 }
 
 void Diagnostics::warning(const Location& location, DiagnosticKind kind, std::string_view message,

@@ -22,7 +22,7 @@ tl::expected<Source, std::string> Source::open(const std::string& path, os::Name
     Source source;
     source.name_ = path;
     auto file = os::open_input(path, name_source);
-    if (!file) return tl::unexpected(fmt::format("{}: {}", path, file.error()));
+    if (!file) return tl::unexpected(fmt::format("{}: {}", path, file.error().message));
     source.file_ = *std::move(file);
     struct stat info {};
     if (::fstat(::fileno(source.file_.get()), &info) != 0) return tl::unexpected(file_error(path, errno));
@@ -34,9 +34,9 @@ tl::expected<Source, std::string> Source::open(const std::string& path, os::Name
 tl::expected<Source, std::string> Source::open(const os::Files& files, const std::string& path,
                                                os::NameSource name_source) {
     if (files.are_system_files()) return open(path, name_source);
-    return files.read(path, name_source, std::numeric_limits<std::size_t>::max()).map([&](std::string text) {
-        return from_text(std::move(text), path);
-    });
+    auto text = files.read(path, name_source, std::numeric_limits<std::size_t>::max());
+    if (!text) return tl::unexpected(std::move(text.error().message));
+    return from_text(*std::move(text), path);
 }
 
 tl::expected<Source, std::string> Source::spool(std::FILE* stream, std::string name) {
@@ -46,7 +46,8 @@ tl::expected<Source, std::string> Source::spool(std::FILE* stream, std::string n
     // A confined program may have no access to a folder for temporary files.
     if (!source.file_) source.file_ = os::open_memory_file("spool");
     if (!source.file_)
-        return tl::unexpected("no temporary file for " + source.name_ + ": " + std::strerror(errno));
+        return tl::unexpected("cannot create a temporary file for " + source.name_ + ": " +
+                              std::strerror(errno));
     std::array<char, 65536> buffer;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
         if (std::fwrite(buffer.data(), 1, count, source.file_.get()) != count) {

@@ -12,8 +12,9 @@ words.finish()
 use("core/hooks", "tell")("begin")
 
 -- The functions that the C++ side calls.
+local dialect = use "core/dialect"
 local main_process, run_interrupt = use("common/processes", "main_process", "run_interrupt")
-local stored_data, permanent_variables = use("core/stored_data", "stored_data", "permanent_variables")
+local stored_data, permanent_variables = dialect.use("stored_data", "stored_data", "permanent_variables")
 return {
   flush = use("core/path", "flush"), main_process = main_process, run_interrupt = run_interrupt, stored_data = stored_data,
   permanent_variables = permanent_variables,

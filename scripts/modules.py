@@ -16,7 +16,7 @@ PAGE = "docs/architecture.md"
 HEADING = "## Modules"
 LARGEST_FOLDER = 50
 FREE = ("tests/", "bench/", "samples/", "docs/")  # may look into every module
-EVERYBODYS = ("base/bits.h", "base/plane.h", "base/units.h")
+EVERYBODYS = ("base/bits.h", "base/error.h", "base/plane.h", "base/units.h")
 
 # Through it all include nlohmann-json.
 JSON_HEADER = "base/text/json.h"

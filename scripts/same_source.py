@@ -1,5 +1,8 @@
 """Compares two versions of a source (C++, flex, Bison, Lua) for what a compiler makes of them: names, comments and layout may differ.
 
+Messages may have other words: two texts of several words each are equal if they have the same values in the same order. A file that only got other
+words of messages compiles by itself as before; tests and the table of messages (scripts/messages.py) check the words.
+
 Two versions are the same if one becomes the other by renaming: each name of the first has one name in the second, no two names share one, and everything else
 is equal, token by token. Renamings that a list declares need not be one-to-one, because they follow scopes, which this module does not know.
 A renamed source is built and tested as every other one; only checks that cost hours do not repeat for it."""
@@ -18,11 +21,19 @@ LUA_TOKENS = re.compile(
     r"""|(?P<number>\.?\d[\w.]*)|(?P<name>[A-Za-z_]\w*)|\S""", re.DOTALL)
 NO_CODE = re.compile(rf"//[^\n]*|/\*.*?\*/|{STRING}|^--[^\n]*", re.DOTALL | re.MULTILINE)
 NAME = re.compile(r"[A-Za-z_]\w*")
+# What a message takes from its caller, and what ends or begins lines in it.
+VALUES = re.compile(r"\{\{|\}\}|\{[^{}]*\}|%[-+0#]*\d*(?:\.\d+)?[a-zA-Z%]|\\n")
+MESSAGE = re.compile(r"[A-Za-z']+[,;:]? [A-Za-z']+")
 
 
 def names_of(text):
     """The names in a source, without the words of its comments and texts."""
     return NAME.findall(NO_CODE.sub(" ", text))
+
+
+def words_removed(text):
+    """A message without its words; other texts as they are."""
+    return '"message ' + " ".join(VALUES.findall(text)) + '"' if MESSAGE.search(text) else text
 
 
 def tokens_of(text, is_lua):
@@ -32,7 +43,7 @@ def tokens_of(text, is_lua):
         if kind == "comment":
             continue
         if kind == "text":
-            yield False, "".join(re.findall(STRING, token.group())).replace('""', "")
+            yield False, words_removed("".join(re.findall(STRING, token.group())).replace('""', ""))
         elif kind == "directive":
             yield False, "#"
             yield from tokens_of(token.group().lstrip()[1:].replace("\\\n", " "), is_lua)

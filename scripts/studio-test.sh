@@ -33,7 +33,7 @@ for test in "units" "exact $build" "page $build"; do
         passed=$((passed + BASH_REMATCH[1]))
         failed=$((failed + BASH_REMATCH[2]))
     else
-        echo "FAILED $name: it did not come to its end"
+        echo "FAILED $name: it did not run to its end"
         failed=$((failed + 1))
     fi
     rm -f "$log"

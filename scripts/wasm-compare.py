@@ -33,10 +33,11 @@ LEFT_OUT_SAMPLES = {
     "batch/wheel-study.toml": "is a plan of gsim-batch",
     "engine/plot_wheel.py": "loads libgsim into Python",
     "engine/run.c": "is compiled and linked with libgsim",
-    "engine/run.cpp": "is compiled and linked with libgsim",
     "parts/bracket.step": "starts gsim-solid",
     "parts/frustum.step": "starts gsim-solid",
     "parts/wheel.step": "starts gsim-solid",
+    **{f"engine/{file.name}": "is compiled and linked with libgsim" for file in (SAMPLES / "engine").glob("[0-9]*.cpp")},
+    **{f"engine/{file.name}": "is the output of an example" for file in (SAMPLES / "engine").glob("*.out")},
 }
 
 # What takes a process or a loaded module, which a guest has not.
@@ -128,7 +129,7 @@ def path_runs():
     for path in files(SAMPLES, "*.path.json", "*.path.lua"):
         yield Run(SAMPLES, ("write", path, "--output", OUTPUT))
     for post in files(SAMPLES, "posts/*.toml"):
-        yield Run(SAMPLES, ("write", Input("wheel.path.json"), "--dialect", post, "--machine", Input("machines/unlimited.toml"), "--go-on",
+        yield Run(SAMPLES, ("write", Input("wheel.path.json"), "--dialect", post, "--machine", Input("machines/unlimited.toml"), "--continue-on-unknown",
                             "--output", OUTPUT))
     for drawing in files(SAMPLES, "*.dxf", "*.svg"):
         yield Run(SAMPLES, ("path", drawing, "--speed", "400", "--kerf", "1", "--output", OUTPUT), to_last_bits=False)

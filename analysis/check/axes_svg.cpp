@@ -25,13 +25,13 @@ constexpr double kTurnPosition = 0.62;  // position of a turn on its axis, as a 
 constexpr int kTurnSteps = 24;
 constexpr double kTurnShare = 0.8;    // of a full turn that the arrow spans
 constexpr double kArrowSpacing = 20;  // between arrows of the same direction
-constexpr double kSameDirection = 0.999;
+constexpr double kMinParallelCosine = 0.999;
 
 // Projects a point as seen from the front, the right and above: x to the right, y into the picture, z up.
 Vector2d project(const Vector3d& point) {
-    constexpr double kYRight = 0.45;
-    constexpr double kYUp = 0.38;
-    return {point.x() + kYRight * point.y(), -(point.z() + kYUp * point.y())};
+    constexpr double kDepthShiftRight = 0.45;
+    constexpr double kDepthShiftUp = 0.38;
+    return {point.x() + kDepthShiftRight * point.y(), -(point.z() + kDepthShiftUp * point.y())};
 }
 
 // Colours.
@@ -54,7 +54,7 @@ Vector3d perpendicular(const Vector3d& direction) {
 class Picture {
   public:
     explicit Picture(const machine::Machine& machine)
-        : motions_(axis_motions(machine)), errors_(find_left_handed(motions_)) {}
+        : motions_(axis_motions(machine)), errors_(find_left_handed_axes(motions_)) {}
 
     std::string release() {
         const double height = kSize + kLineHeight * static_cast<double>(motions_.size() + errors_.size() + 2);
@@ -118,7 +118,7 @@ class Picture {
         int before = 0;
         for (std::size_t i = 0; i < index; ++i) {
             const AxisMotion& other = motions_[i];
-            if (!other.is_rotary && std::abs(other.direction.dot(direction)) > kSameDirection) ++before;
+            if (!other.is_rotary && std::abs(other.direction.dot(direction)) > kMinParallelCosine) ++before;
         }
         return before * kArrowSpacing * perpendicular(direction);
     }
@@ -150,7 +150,9 @@ class Picture {
             label(colour, {kLineHeight, y}, text);
             y += kLineHeight;
         };
-        line(kFrameColour, "blue: the tool moves; brown: the work moves, drawn is how the tool goes over it");
+        line(kFrameColour,
+             "blue: the tool moves; brown: the workpiece moves, drawn as the motion of the tool relative to "
+             "it");
         for (const AxisMotion& motion : motions_) line(axis_colour(motion), to_message(motion));
         for (const std::string& error : errors_) line(kErrorColour, error);
     }

@@ -32,7 +32,7 @@ constexpr std::array<std::array<Side, 2>, 3> kSides{{
 }};
 
 // Returns the side that a direction points to; null if it lies between them.
-const Side* find_side(const Eigen::Vector3d& direction) {
+const Side* find_view_direction(const Eigen::Vector3d& direction) {
     Eigen::Index largest = 0;
     if (direction.cwiseAbs().maxCoeff(&largest) < 1 - kDirectionTolerance) return nullptr;
     return &kSides[static_cast<std::size_t>(largest)][direction[largest] < 0 ? 1 : 0];
@@ -45,13 +45,14 @@ std::string coordinates(const Eigen::Vector3d& direction) {
 }
 
 std::string direction_text(const Eigen::Vector3d& direction) {
-    if (const Side* side = find_side(direction))
+    if (const Side* side = find_view_direction(direction))
         return fmt::format("{} ({})", side->direction_text, side->sign);
     return "along " + coordinates(direction);
 }
 
 std::string turn(const Eigen::Vector3d& direction) {
-    if (const Side* side = find_side(direction)) return fmt::format("{} (about {})", side->turn, side->sign);
+    if (const Side* side = find_view_direction(direction))
+        return fmt::format("{} (about {})", side->turn, side->sign);
     return fmt::format("counter-clockwise about {}", coordinates(direction));
 }
 
@@ -90,16 +91,17 @@ std::string to_message(const AxisMotion& motion) {
     if (motion.is_rotary) {
         if (!motion.carries_work)
             return fmt::format("+{} turns the tool {}", motion.letter, turn(motion.direction));
-        return fmt::format("+{} turns the work {}, so that the tool goes round it the other way",
-                           motion.letter, turn(work_direction));
+        return fmt::format(
+            "+{} turns the workpiece {}, so the tool moves around it in the opposite direction",
+            motion.letter, turn(work_direction));
     }
     if (!motion.carries_work)
         return fmt::format("+{} moves the tool {}", motion.letter, direction_text(motion.direction));
-    return fmt::format("+{} moves the work {}, so that the tool goes {} over it", motion.letter,
+    return fmt::format("+{} moves the workpiece {}, so the tool moves {} relative to it", motion.letter,
                        direction_text(work_direction), direction_text(motion.direction));
 }
 
-std::vector<std::string> find_left_handed(const std::vector<AxisMotion>& motions) {
+std::vector<std::string> find_left_handed_axes(const std::vector<AxisMotion>& motions) {
     std::vector<std::string> found;
     for (const std::string_view set : {"XYZ", "UVW"}) {
         const AxisMotion* first = find_motion(motions, set[0], false);
@@ -107,15 +109,15 @@ std::vector<std::string> find_left_handed(const std::vector<AxisMotion>& motions
         const AxisMotion* third = find_motion(motions, set[2], false);
         if (first == nullptr || second == nullptr || third == nullptr) continue;
         if (first->direction.cross(second->direction).dot(third->direction) > -kFlatTolerance) continue;
-        found.push_back(fmt::format(
-            "{0} {1} {2} are left-handed: +{0} turned into +{1} screws against +{2}, so that parts come out "
-            "mirrored; turn one of them round, or exchange two letters",
-            set[0], set[1], set[2]));
+        found.push_back(
+            fmt::format("{0} {1} {2} are left-handed: turning +{0} to +{1} advances a right-hand screw "
+                        "against +{2}, so parts are mirrored; reverse one axis, or exchange two letters",
+                        set[0], set[1], set[2]));
     }
     return found;
 }
 
-std::vector<std::string> find_left_turns(const std::vector<AxisMotion>& motions) {
+std::vector<std::string> find_left_handed_rotations(const std::vector<AxisMotion>& motions) {
     std::vector<std::string> found;
     for (const std::string_view pair : {"AX", "BY", "CZ"}) {
         const AxisMotion* rotary = find_motion(motions, pair[0], true);
@@ -123,10 +125,9 @@ std::vector<std::string> find_left_turns(const std::vector<AxisMotion>& motions)
         if (rotary == nullptr || line == nullptr ||
             rotary->direction.dot(line->direction) > kDirectionTolerance - 1)
             continue;
-        found.push_back(
-            fmt::format("+{0} turns against the right-hand rule about +{1}; ISO 841 has it the "
-                        "other way",
-                        pair[0], pair[1]));
+        found.push_back(fmt::format(
+            "+{0} turns against the right-hand rule about +{1}; ISO 841 requires the opposite direction",
+            pair[0], pair[1]));
     }
     return found;
 }

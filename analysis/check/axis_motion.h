@@ -25,11 +25,11 @@ std::string to_message(const AxisMotion& motion);
 
 /// Returns messages about wrong senses of linear axes that belong together (X Y Z, U V W): they are
 /// left-handed, so that parts come out mirrored.
-std::vector<std::string> find_left_handed(const std::vector<AxisMotion>& motions);
+std::vector<std::string> find_left_handed_axes(const std::vector<AxisMotion>& motions);
 
 /// Returns messages about rotary axes A, B and C that turn against the right-hand rule about the machine's
 /// own X, Y and Z. Such machines exist, though ISO 841 defines it otherwise.
-std::vector<std::string> find_left_turns(const std::vector<AxisMotion>& motions);
+std::vector<std::string> find_left_handed_rotations(const std::vector<AxisMotion>& motions);
 
 /// Returns the motions as a picture (SVG): arrows along, and round, the directions of the work frame.
 std::string axes_svg(const machine::Machine& machine);

@@ -72,7 +72,7 @@ class Text {
         add("machine    {}\n", sanitized(machine_.name));
         add("controller {}\n", sanitized(machine_.controller.model));
         add("inverse    {}{}\n", inverse_name(machine_.inverse),
-            check_.has_head ? ", a head that turns the tool about its tip" : "");
+            check_.has_head ? ", a head that turns the tool about its TCP" : "");
     }
 
     void axes() {
@@ -85,7 +85,7 @@ class Text {
                 number_or_dash(axis.max_acceleration));
         }
         const Eigen::Vector3d tcp = check_.home.translation();
-        add("\nhome       tip at {} {} {} mm in the work frame\n", text::fixed(tcp.x(), 3),
+        add("\nhome       TCP at {} {} {} mm in the work frame\n", text::fixed(tcp.x(), 3),
             text::fixed(tcp.y(), 3), text::fixed(tcp.z(), 3));
     }
 
@@ -101,16 +101,16 @@ class Text {
 
     void motions() {
         for (const AxisMotion& motion : check_.motions) add("motion     {}\n", to_message(motion));
-        for (const std::string& message : check_.left_handed) add("wrong      {}\n", message);
+        for (const std::string& message : check_.left_handed) add("error      {}\n", message);
     }
 
     void inverse() {
         const InverseCheck& inverse = check_.inverse;
         if (inverse.poses == 0) return;
-        add("inverse    {} random poses, to {:.1e} mm and {:.1e} deg: ", inverse.poses, inverse.worst_mm,
+        add("inverse    {} random poses, within {:.1e} mm and {:.1e} deg: ", inverse.poses, inverse.worst_mm,
             inverse.worst_rad * kDegPerRad);
-        if (inverse.is_consistent()) return add("all come back\n");
-        add("{} without a solution, {} out of range, {} elsewhere\n", inverse.unsolved, inverse.out_of_range,
+        if (inverse.is_consistent()) return add("all solved\n");
+        add("{} without a solution, {} out of range, {} inaccurate\n", inverse.unsolved, inverse.out_of_range,
             inverse.inaccurate_count);
         add("           first at {}\n", axis_values_text(machine_, inverse.first_bad));
         if (!inverse.message.empty()) add("           {}\n", sanitized(inverse.message));
@@ -119,17 +119,17 @@ class Text {
     void singular() {
         for (const SingularRange& range : check_.singular.ranges) {
             const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(range.joint)];
-            add("singular   {} {} .. {} deg, whatever the others: {} line up\n", axis.letter,
+            add("singular   {} {} .. {} deg, for all values of the other axes: {} are aligned\n", axis.letter,
                 text::fixed(machine::axis_value(axis, range.low), 2),
                 text::fixed(machine::axis_value(axis, range.high), 2), letters(range.aligned_joints));
         }
-        add("singular   {:.2f} % of random stances are near a singular one\n",
+        add("singular   {:.2f} % of random configurations are near a singularity\n",
             100 * check_.singular.near_share);
     }
 
     void pair_findings() {
         if (check_.bodies.empty()) return;
-        add("bodies     {}; pairs {}: {} can touch, {} not decided, {} cannot touch\n", check_.bodies.size(),
+        add("bodies     {}; pairs {}: {} can touch, {} undecided, {} cannot touch\n", check_.bodies.size(),
             check_.pair_findings.size(), check_.count(Verdict::contact), check_.count(Verdict::undecided),
             check_.count(Verdict::free));
         for (const Verdict verdict : {Verdict::contact, Verdict::undecided, Verdict::free}) {
@@ -145,18 +145,18 @@ class Text {
         const std::string at = axis_values_text(machine_, pair_finding.joints);
         switch (pair_finding.verdict) {
             case Verdict::contact:
-                return add("touch      {}: in {:.1f} % of the samples, such as {}\n", pair,
+                return add("touch      {}: in {:.1f} % of the samples, for example {}\n", pair,
                            100 * pair_finding.contact_share, at);
             case Verdict::undecided:
-                return add("undecided  {}: nearest found {:.3f} mm, at {}\n", pair, pair_finding.nearest_mm,
-                           at);
+                return add("undecided  {}: min distance found {:.3f} mm, at {}\n", pair,
+                           pair_finding.nearest_mm, at);
             case Verdict::free:
-                return add("free       {}: nearest found {:.3f} mm\n", pair, pair_finding.nearest_mm);
+                return add("free       {}: min distance found {:.3f} mm\n", pair, pair_finding.nearest_mm);
         }
     }
 
     void verdict() {
-        if (check_.is_clean()) return add("clean: nothing was found\n");
+        if (check_.is_clean()) return add("clean: no errors found\n");
         add("found:");
         const char* before = " ";
         const auto item = [&](std::size_t count, const char* what) {
@@ -165,9 +165,9 @@ class Text {
             before = ", ";
         };
         item(check_.count(Verdict::contact), "pairs can touch");
-        item(check_.count(Verdict::undecided), "pairs are not decided");
+        item(check_.count(Verdict::undecided), "pairs are undecided");
         item(check_.left_handed.size(), "left-handed sets of axes");
-        if (!check_.inverse.is_consistent()) add("{}the inverse does not lead back", before);
+        if (!check_.inverse.is_consistent()) add("{}the inverse is inconsistent", before);
         add("\n");
     }
 

@@ -15,19 +15,19 @@ const char* unit(const machine::Axis& axis) {
     return axis.kind == machine::AxisKind::linear ? "mm" : "deg";
 }
 
-void note_limits(const machine::Axis& axis, std::vector<std::string>& notes) {
-    if (axis.min == axis.max) notes.push_back(fmt::format("axis {} has no range to move in", axis.letter));
+void add_limit_notes(const machine::Axis& axis, std::vector<std::string>& notes) {
+    if (axis.min == axis.max) notes.push_back(fmt::format("axis {} has a range of zero", axis.letter));
     std::string missing;
-    if (std::isinf(axis.max_speed)) missing = "no limit of speed";
+    if (std::isinf(axis.max_speed)) missing = "no speed limit";
     if (std::isinf(axis.max_acceleration))
-        missing += missing.empty() ? "no limit of acceleration" : " nor of acceleration";
+        missing += missing.empty() ? "no acceleration limit" : " and no acceleration limit";
     if (!missing.empty()) notes.push_back(fmt::format("axis {} has {}", axis.letter, missing));
 }
 
-void note_box(const MachineCheck& check, std::vector<std::string>& notes) {
+void add_box_note(const MachineCheck& check, std::vector<std::string>& notes) {
     for (const int joint : check.box.cut) {
         const machine::Axis& axis = check.machine.axes[static_cast<std::size_t>(joint)];
-        notes.push_back(fmt::format("axis {} has a range without end; looked at is {:.6g} .. {:.6g} {}",
+        notes.push_back(fmt::format("axis {} has an unlimited range; checked from {:.6g} to {:.6g} {}",
                                     axis.letter, machine::axis_value(axis, check.box.low[joint]),
                                     machine::axis_value(axis, check.box.high[joint]), unit(axis)));
     }
@@ -35,14 +35,14 @@ void note_box(const MachineCheck& check, std::vector<std::string>& notes) {
 
 std::vector<std::string> find_notes(const MachineCheck& check) {
     std::vector<std::string> notes;
-    for (const machine::Axis& axis : check.machine.axes) note_limits(axis, notes);
-    note_box(check, notes);
-    for (const std::string& turn : find_left_turns(check.motions)) notes.push_back(turn);
+    for (const machine::Axis& axis : check.machine.axes) add_limit_notes(axis, notes);
+    add_box_note(check, notes);
+    for (const std::string& turn : find_left_handed_rotations(check.motions)) notes.push_back(turn);
     if (check.inverse.poses == 0)
-        notes.emplace_back("there is no inverse: programs move joints, and poses are refused");
-    if (check.singular.at_home) notes.emplace_back("home is a singular stance, or next to one");
+        notes.emplace_back("the machine has no inverse: programs move joints, and poses are rejected");
+    if (check.singular.at_home) notes.emplace_back("home is at or near a singularity");
     if (check.bodies.empty())
-        notes.emplace_back("there are no bodies ([[shape]]), so that nothing is known of collisions");
+        notes.emplace_back("the machine has no bodies ([[shape]]), so collisions are not checked");
     return notes;
 }
 
@@ -65,7 +65,7 @@ MachineCheck check_machine(const machine::Machine& machine, const cell::Cell& ce
                        .home = kinematics->forward(machine::home_position(machine)),
                        .has_head = kinematics->tilting_head().has_value()};
     check.motions = axis_motions(machine);
-    check.left_handed = find_left_handed(check.motions);
+    check.left_handed = find_left_handed_axes(check.motions);
     check.inverse = check_inverse(machine, check.box);
     check.singular = check_singular(machine, check.box);
     check.bodies.reserve(cell.items.size());

@@ -17,7 +17,7 @@ struct MachineCheck {
     rrs::CartPos home;      ///< The tool centre point in the work frame, with all axes at home.
     bool has_head = false;  ///< Its two rotary axes turn the tool about its TCP.
     std::vector<AxisMotion> motions = {};
-    std::vector<std::string> left_handed = {};  ///< Messages of find_left_handed().
+    std::vector<std::string> left_handed = {};  ///< Messages of find_left_handed_axes().
     InverseCheck inverse = {};
     SingularCheck singular = {};
     std::vector<std::string> bodies = {};  ///< Names of the cell's items.

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "motion/kinematics/dense.h"
+#include "motion/kinematics/symmetric_solver.h"
 
 namespace gsim::envelope {
 

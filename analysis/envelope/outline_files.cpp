@@ -15,8 +15,8 @@ namespace gsim::envelope {
 
 namespace {
 
-constexpr double kPanel = 300;  // of the picture, in its units
-constexpr double kFrame = 40;   // about each panel, for its texts
+constexpr double kPanelSize = 300;   // of the picture, in its units
+constexpr double kPanelMargin = 40;  // about each panel, for its texts
 constexpr int kColumns = 3;
 
 std::string axes(const machine::Machine& machine, const PairOutline& outline) {
@@ -66,12 +66,12 @@ void append_panel(std::string& svg, const std::string& title, const PairOutline&
                         title, direction_text(view.right), direction_text(view.up),
                         outline.flat ? "" : ", a curved surface");
     if (outline.curves.empty()) {
-        text::append_format(svg, "<text x=\"{}\" y=\"{}\">closed in itself, without a border</text>\n", left,
+        text::append_format(svg, "<text x=\"{}\" y=\"{}\">closed surface, without a border</text>\n", left,
                             top + 12);
         return;
     }
     const double size_mm = std::max(box.sizes().maxCoeff(), 1e-6);
-    const double scale = kPanel / size_mm;
+    const double scale = kPanelSize / size_mm;
     // Writes all in one path, so that holes are not filled.
     svg += outline.flat ? "<path d=\"" : "<path class=\"open\" d=\"";
     for (const Curve& curve : outline.curves) {
@@ -86,7 +86,7 @@ void append_panel(std::string& svg, const std::string& title, const PairOutline&
     }
     svg += "\"/>\n";
     text::append_format(svg, "<text x=\"{}\" y=\"{}\">{} .. {} mm, {} .. {} mm</text>\n", left,
-                        top + kPanel + 16, text::fixed(box.min().x(), 1), text::fixed(box.max().x(), 1),
+                        top + kPanelSize + 16, text::fixed(box.min().x(), 1), text::fixed(box.max().x(), 1),
                         text::fixed(box.min().y(), 1), text::fixed(box.max().y(), 1));
 }
 
@@ -112,17 +112,18 @@ std::string to_svg(const machine::Machine& machine, const std::vector<PairOutlin
     const auto count = static_cast<int>(outlines.size());
     const int columns = std::clamp(count, 1, kColumns);
     const int rows = std::max(1, (count + kColumns - 1) / kColumns);
-    constexpr double kPitch = kPanel + 2 * kFrame;
+    constexpr double kPanelPitch = kPanelSize + 2 * kPanelMargin;
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
         "<style>path{{fill:#cfe3f5;fill-rule:evenodd;stroke:#1f4e79;stroke-width:1.2}}.open{{fill:none}}"
         "text{{font:12px sans-serif}}</style>\n",
-        columns * kPitch, rows * kPitch);
+        columns * kPanelPitch, rows * kPanelPitch);
     int panel = 0;
     for (const PairOutline& outline : outlines) {
         const int column = panel % kColumns;
         const int row = panel / kColumns;
-        append_panel(svg, axes(machine, outline), outline, kFrame + column * kPitch, kFrame + row * kPitch);
+        append_panel(svg, axes(machine, outline), outline, kPanelMargin + column * kPanelPitch,
+                     kPanelMargin + row * kPanelPitch);
         ++panel;
     }
     return svg + "</svg>\n";

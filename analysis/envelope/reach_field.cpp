@@ -49,7 +49,7 @@ AlignedBox3d swept_box(const TcpJoint& joint, const AlignedBox3d& box) {
     }
     // Cylinder about the axis that holds the box.
     double radius = 0;
-    for (int i = 0; i < 8; ++i) radius = std::max(radius, Orbit(joint, corner(i)).speed());
+    for (int i = 0; i < 8; ++i) radius = std::max(radius, JointPointPath(joint, corner(i)).speed());
     const Vector3d disc = radius * (Vector3d::Ones() - joint.direction.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
     for (int i = 0; i < 8; ++i) {
         const double along = (corner(i) - joint.point_mm).dot(joint.direction);
@@ -90,8 +90,8 @@ ReachField::ReachField(const TcpChain& chain, int nodes) : chain_(chain), tail_(
 }
 
 const TcpJoint* ReachField::level_joint(std::size_t level) const {
-    const std::size_t before_tail = chain_.joints.size() - tail_.joint_count();
-    return before_tail == 0 ? nullptr : &chain_.joints[before_tail - 1 - level];
+    const std::size_t joints_before_tail = chain_.joints.size() - tail_.joint_count();
+    return joints_before_tail == 0 ? nullptr : &chain_.joints[joints_before_tail - 1 - level];
 }
 
 std::vector<AlignedBox3d> ReachField::loose_boxes() const {
@@ -184,7 +184,7 @@ std::vector<double> ReachField::nearest_values(const Vector3d& point) const {
         const ApproachAccuracy rule{grids_[level - 1].step_mm, 0};
         const ClosestApproach nearest = pass(level - 1, back, joint.low, rule);
         values.push_back(nearest.value);
-        back = Orbit(joint, back).at(nearest.value);
+        back = JointPointPath(joint, back).at(nearest.value);
     }
     const std::vector<double> last = tail_.nearest_values(back);
     values.insert(values.end(), last.begin(), last.end());

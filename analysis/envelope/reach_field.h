@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "analysis/envelope/sweep.h"
-#include "analysis/envelope/tail_set.h"
+#include "analysis/envelope/closed_form_reach.h"
+#include "analysis/envelope/closest_approach.h"
 
 namespace gsim::envelope {
 
@@ -37,8 +37,9 @@ struct DistanceGrid {
 
 /// Reach of the TCP of a chain, as distances from it. It is computed from the last joint to the first. A
 /// joint makes a union of a set; the distance from it is the smallest distance from the set along the path of
-/// the joint, taken back. The last joints have a closed form (TailSet). For the one before them the nodes are
-/// exact to a tolerance; each joint before that adds the error of the grid from which it is computed.
+/// the joint, taken back. The last joints have a closed form (ClosedFormReach). For the one before them the
+/// nodes are exact to a tolerance; each joint before that adds the error of the grid from which it is
+/// computed.
 class ReachField {
   public:
     /// Builds the grids, with `nodes` in the longest direction of each. The chain has joints, with finite
@@ -48,7 +49,7 @@ class ReachField {
     /// Returns the grid of all joints.
     const DistanceGrid& grid() const { return grids_.back(); }
     /// Returns the level: distances between nodes are at most this at all reached points.
-    double level_mm() const { return grid().interpolation_error_mm(); }
+    double iso_level_mm() const { return grid().interpolation_error_mm(); }
     /// Returns joint values that bring the TCP about as near to a point as the field says.
     std::vector<double> nearest_values(const Vector3d& point) const;
 
@@ -67,7 +68,7 @@ class ReachField {
     static constexpr double kTolerance = 0.25;  // of the step
 
     TcpChain chain_;
-    TailSet tail_;
+    ClosedFormReach tail_;
     std::vector<DistanceGrid> grids_;  ///< Last joints first.
 };
 

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "analysis/envelope/closed_form_reach.h"
+#include "analysis/envelope/closest_approach.h"
 #include "analysis/envelope/nearest_reach.h"
-#include "analysis/envelope/sweep.h"
-#include "analysis/envelope/tail_set.h"
 
 namespace gsim::envelope {
 
@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 constexpr int kNodes = 300;
 constexpr double kTolerance = 0.25;  // of the step
 constexpr double kSquareHalfDiagonal = std::numbers::sqrt2 / 2;
-constexpr double kSame_mm = 1e-6;
+constexpr double kSamePoint_mm = 1e-6;
 
 /// Distances from the reach of the TCP, at the nodes of squares in its plane, and the line about those nodes
 /// that are near it.
@@ -39,7 +39,7 @@ class PlaneField {
         fill();
     }
 
-    double level_mm() const { return (kTolerance + kSquareHalfDiagonal) * step_mm_; }
+    double iso_level_mm() const { return (kTolerance + kSquareHalfDiagonal) * step_mm_; }
 
     Region extract_border() {
         for (std::int64_t node = 0; node < columns_ * (rows_ - 1); ++node) {
@@ -47,7 +47,7 @@ class PlaneField {
             add_triangle({node, node + 1, node + columns_ + 1});
             add_triangle({node, node + columns_ + 1, node + columns_});
         }
-        Region region{{}, 2 * level_mm()};
+        Region region{{}, 2 * iso_level_mm()};
         while (!next_.empty()) region.loops_mm.push_back(extract_loop(region.error_mm));
         return region;
     }
@@ -68,7 +68,7 @@ class PlaneField {
         return low_ + step_mm_ * Vector2d(static_cast<double>(column), static_cast<double>(row));
     }
     bool is_inside(std::int64_t index) const {
-        return distance_mm_[static_cast<std::size_t>(index)] <= level_mm();
+        return distance_mm_[static_cast<std::size_t>(index)] <= iso_level_mm();
     }
 
     ClosestApproach pass(const Vector3d& point, double hint, const ApproachAccuracy& rule) const {
@@ -112,7 +112,7 @@ class PlaneField {
         const auto a = static_cast<std::int64_t>(edge >> 32U);
         const auto b = static_cast<std::int64_t>(edge & 0xffffffffU);
         const double from = distance_mm_[static_cast<std::size_t>(a)];
-        const double share = (level_mm() - from) / (distance_mm_[static_cast<std::size_t>(b)] - from);
+        const double share = (iso_level_mm() - from) / (distance_mm_[static_cast<std::size_t>(b)] - from);
         return to_space(node(a) + share * (node(b) - node(a)));
     }
 
@@ -125,11 +125,11 @@ class PlaneField {
             const ClosestApproach nearest = pass(outside, chain_.joints.front().low, {step_mm_, 0});
             std::vector<double> values{nearest.value};
             const std::vector<double> last =
-                tail_.nearest_values(Orbit(chain_.joints.front(), outside).at(nearest.value));
+                tail_.nearest_values(JointPointPath(chain_.joints.front(), outside).at(nearest.value));
             values.insert(values.end(), last.begin(), last.end());
             const Vector3d reached = nearest_reachable_point(chain_, values, outside);
             error_mm = std::max(error_mm, (reached - outside).norm());
-            if (loop.empty() || (reached - loop.back()).norm() > kSame_mm) loop.push_back(reached);
+            if (loop.empty() || (reached - loop.back()).norm() > kSamePoint_mm) loop.push_back(reached);
         }
         return loop;
     }
@@ -143,7 +143,7 @@ class PlaneField {
 
     const TcpChain& chain_;
     const PlaneView& view_;
-    TailSet tail_;
+    ClosedFormReach tail_;
     double step_mm_;
     Vector2d low_;
     std::int64_t columns_;

@@ -34,7 +34,7 @@ std::string to_stl(const Surface& surface) {
         append_number(triangles, 0, 2);
         ++count;
     }
-    std::string bytes = "gsim: what the tip of the tool reaches, mm";
+    std::string bytes = "gsim: volume that the TCP reaches, mm";
     bytes.resize(kHeaderBytes, ' ');
     append_number(bytes, count);
     return bytes + triangles;

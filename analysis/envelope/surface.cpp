@@ -28,8 +28,8 @@ std::array<Tetrahedron, 6> tetrahedra() {
 
 class Builder {
   public:
-    Builder(const DistanceGrid& grid, double level_mm)
-        : grid_(grid), level_mm_(level_mm), tetrahedra_(tetrahedra()) {}
+    Builder(const DistanceGrid& grid, double iso_level_mm)
+        : grid_(grid), level_mm_(iso_level_mm), tetrahedra_(tetrahedra()) {}
 
     Surface build() {
         for (int z = 0; z + 1 < grid_.count.z(); ++z) {
@@ -73,14 +73,14 @@ class Builder {
 
     // Reorders the corners in the same sense, those inside first or the odd one out first.
     void add_tetrahedron(const Nodes& nodes) {
-        constexpr std::array<std::array<std::size_t, 4>, 4> kOneInside{
+        constexpr std::array<std::array<std::size_t, 4>, 4> kOneCornerInside{
             {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
-        constexpr std::array<std::array<std::size_t, 4>, 6> kTwoInside{
+        constexpr std::array<std::array<std::size_t, 4>, 6> kTwoCornersInside{
             {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
         const auto inside = [&](std::size_t i) { return is_inside(nodes[i].index); };
         const int count = int{inside(0)} + int{inside(1)} + int{inside(2)} + int{inside(3)};
         if (count == 1 || count == 3) {
-            for (const auto& [a, b, c, d] : kOneInside) {
+            for (const auto& [a, b, c, d] : kOneCornerInside) {
                 if (inside(a) != (count == 1)) continue;
                 const auto ab = cut(nodes[a], nodes[b]);
                 const auto ac = cut(nodes[a], nodes[c]);
@@ -92,7 +92,7 @@ class Builder {
                 }
             }
         } else if (count == 2) {
-            for (const auto& [a, b, c, d] : kTwoInside) {
+            for (const auto& [a, b, c, d] : kTwoCornersInside) {
                 if (!inside(a) || !inside(b)) continue;
                 const auto ac = cut(nodes[a], nodes[c]);
                 const auto ad = cut(nodes[a], nodes[d]);
@@ -128,8 +128,8 @@ class Builder {
 
 }  // namespace
 
-Surface extract_isosurface(const DistanceGrid& grid, double level_mm) {
-    return Builder(grid, level_mm).build();
+Surface extract_isosurface(const DistanceGrid& grid, double iso_level_mm) {
+    return Builder(grid, iso_level_mm).build();
 }
 
 double volume_mm3(const Surface& surface) {

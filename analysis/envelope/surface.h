@@ -14,11 +14,11 @@ struct Surface {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Returns the surface round the nodes of a grid at a distance of at most `level_mm`, none of them on the
+/// Returns the surface round the nodes of a grid at a distance of at most `iso_level_mm`, none of them on the
 /// grid's border. Each cube becomes six tetrahedra about one diagonal (H. W. Kuhn, 1960), and each of these
 /// at most two triangles. It is closed: each edge belongs to two triangles, which use it in opposite
 /// directions.
-Surface extract_isosurface(const DistanceGrid& grid, double level_mm);
+Surface extract_isosurface(const DistanceGrid& grid, double iso_level_mm);
 
 /// Returns the volume in a closed surface, mm3.
 double volume_mm3(const Surface& surface);

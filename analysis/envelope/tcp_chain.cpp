@@ -26,11 +26,12 @@ Eigen::Isometry3d motion(const TcpJoint& joint, double value) {
 // nothing.
 bool has_no_effect(const TcpJoint& joint, const std::vector<TcpJoint>& later_joints, const Vector3d& start) {
     if (joint.is_slide()) return false;
-    const bool all_slide_along =
+    const bool are_all_parallel_slides =
         std::all_of(later_joints.begin(), later_joints.end(), [&](const TcpJoint& other) {
             return other.is_slide() && is_parallel(joint.direction, other.direction);
         });
-    return all_slide_along && joint.direction.cross(start - joint.point_mm).norm() < kAxisTolerance_mm;
+    return are_all_parallel_slides &&
+           joint.direction.cross(start - joint.point_mm).norm() < kAxisTolerance_mm;
 }
 
 // Fixes joints at the value that `fixed_value` has for them, and moves the lines of later joints with them.
@@ -87,10 +88,10 @@ TcpChain tcp_chain(const machine::Machine& machine, const machine::JointBox& box
 
 TcpChain pair_chain(const TcpChain& full_chain, std::size_t first, std::size_t second,
                     const rrs::JointPos& home) {
-    const int kept_first_joint = full_chain.joints[first].joint;
-    const int kept_second_joint = full_chain.joints[second].joint;
+    const int first_free_joint = full_chain.joints[first].joint;
+    const int second_free_joint = full_chain.joints[second].joint;
     return fix_joints(full_chain, [&](const TcpJoint& joint) -> std::optional<double> {
-        if (joint.joint == kept_first_joint || joint.joint == kept_second_joint) return std::nullopt;
+        if (joint.joint == first_free_joint || joint.joint == second_free_joint) return std::nullopt;
         return home[joint.joint];
     });
 }

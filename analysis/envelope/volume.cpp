@@ -14,7 +14,7 @@ namespace {
 constexpr double kParallelTolerance = 1e-12;
 
 // Merges parallel slides into one. Returns an empty list if anything but three slides is left.
-std::vector<TcpJoint> merge_to_three_slides(const TcpChain& chain) {
+std::vector<TcpJoint> merge_parallel_slides(const TcpChain& chain) {
     std::vector<TcpJoint> slides;
     for (const TcpJoint& joint : chain.joints) {
         if (!joint.is_slide()) return {};
@@ -55,11 +55,11 @@ Surface block(const TcpChain& chain, const std::vector<TcpJoint>& slides) {
 }  // namespace
 
 Volume reached_volume(const TcpChain& chain, int nodes) {
-    if (const auto slides = merge_to_three_slides(chain); !slides.empty())
+    if (const auto slides = merge_parallel_slides(chain); !slides.empty())
         return {block(chain, slides), 0, 0};
     const ReachField field(chain, nodes);
-    Volume volume{extract_isosurface(field.grid(), field.level_mm()), field.grid().step_mm,
-                  2 * field.level_mm()};
+    Volume volume{extract_isosurface(field.grid(), field.iso_level_mm()), field.grid().step_mm,
+                  2 * field.iso_level_mm()};
     // This surface encloses every reached position; its corners move to the nearest ones that are reached.
     for (Vector3d& point : volume.surface.points_mm) {
         const Vector3d reached = nearest_reachable_point(chain, field.nearest_values(point), point);
@@ -69,15 +69,14 @@ Volume reached_volume(const TcpChain& chain, int nodes) {
     return volume;
 }
 
-tl::expected<TcpChain, std::string> envelope_chain(const machine::Machine& machine) {
+Result<TcpChain> envelope_chain(const machine::Machine& machine) {
     const machine::JointBox box = machine::joint_box(machine);
     TcpChain chain = tcp_chain(machine, box);
-    if (chain.joints.empty())
-        return tl::unexpected<std::string>("there is no envelope: no axis moves the tool's tip");
+    if (chain.joints.empty()) return Unexpected("the machine has no envelope: no axis moves the TCP");
     for (const TcpJoint& joint : chain.joints) {
         if (std::find(box.cut.begin(), box.cut.end(), joint.joint) == box.cut.end()) continue;
-        return tl::unexpected(fmt::format("there is no envelope: axis {} has a range without end",
-                                          machine.axes[static_cast<std::size_t>(joint.joint)].letter));
+        return Unexpected(fmt::format("the machine has no envelope: axis {} has an unlimited range",
+                                      machine.axes[static_cast<std::size_t>(joint.joint)].letter));
     }
     return chain;
 }

@@ -2,9 +2,8 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
 #include "analysis/envelope/surface.h"
+#include "base/error.h"
 
 namespace gsim::envelope {
 
@@ -23,6 +22,6 @@ Volume reached_volume(const TcpChain& chain, int nodes = 80);
 
 /// Returns the chain of a machine for its envelope. The error is a message: no joint moves the TCP, or one of
 /// them has no end.
-tl::expected<TcpChain, std::string> envelope_chain(const machine::Machine& machine);
+Result<TcpChain> envelope_chain(const machine::Machine& machine);
 
 }  // namespace gsim::envelope

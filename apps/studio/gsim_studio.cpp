@@ -38,33 +38,33 @@ struct StudioArguments {
 };
 
 void add_studio_options(CommandLine& line, StudioArguments& a) {
-    line.add("part.nc|part.lua|folder", &a.paths, "a program to begin with, a folder to work in, or both")
+    line.add("part.nc|part.lua|folder", &a.paths, "program to open, folder to work in, or both")
         .takes_file(FileKind::input, {".nc", ".ngc", ".lua"});
-    line.begin_group("What it begins with");
-    line.add("--machine", &a.machine, "machine file, or settings of a control")
+    line.begin_group("Initial files");
+    line.add("--machine", &a.machine, "machine file, or settings of a controller")
         .takes_file(FileKind::input, {".toml", ".ini"})
         .or_builtin_name();
-    line.add("--machine-data", &a.machine_data, "what the control stores")
+    line.add("--machine-data", &a.machine_data, "machine data of the controller")
         .takes_file(FileKind::input, {".txt"});
-    line.add("--cell", &a.cell, "what stands round the machine").takes_file(FileKind::input, {".toml"});
-    line.add("--robots", &a.robots, "several robots on one clock").takes_file(FileKind::input, {".toml"});
+    line.add("--cell", &a.cell, "cell file: the surroundings of the machine")
+        .takes_file(FileKind::input, {".toml"});
+    line.add("--robots", &a.robots, "robots file: several robots with a common clock")
+        .takes_file(FileKind::input, {".toml"});
     line.add("--dialect", &a.dialect,
-             "language of part programs: ab9, rs274ngc, klipper, or the name of a control; without it that "
-             "of the "
-             "machine file, else ab9")
+             "language of part programs: ab9, rs274ngc, klipper, or the name of a controller; default: that "
+             "of the machine file, else ab9")
         .suggest_values(engine::controller_names());
     line.add("--rcs", &a.module, "controller module that plans the motion")
         .takes_file(FileKind::input)
         .or_builtin_name();
     line.begin_group("Server");
-    line.add("--port", &a.port, "of this machine; 0: one that is free").within(0, kMaxPort).show_default();
-    line.add("--no-browser", &a.no_browser, "print the address, and open nothing");
-    line.add_example("gsim studio part.nc", "run a program, see it, change it; in a browser");
+    line.add("--port", &a.port, "port on this computer; 0: any free port").within(0, kMaxPort).show_default();
+    line.add("--no-browser", &a.no_browser, "print the address, do not open a browser");
+    line.add_example("gsim studio part.nc", "run, view and edit a program in a browser");
     line.add_example("gsim studio --machine mine.toml ~/programs", "work in a folder");
     line.add_note(
-        "The page is served to this machine alone, at an address that nobody can guess, and reads and writes "
-        "files of the folder alone (of the program, where none is named; links are not followed). Ctrl+C "
-        "ends "
+        "The page is served only to this computer, at an address that cannot be guessed, and reads and "
+        "writes only files in the folder (default: that of the program; links are not followed). Ctrl+C ends "
         "it.");
 }
 
@@ -72,22 +72,21 @@ struct NamedPaths {
     std::string program, folder;
 };
 
-tl::expected<NamedPaths, std::string> classify_paths(const std::vector<std::string>& all) {
+Result<NamedPaths> classify_paths(const std::vector<std::string>& all) {
     NamedPaths paths;
     for (const std::string& name : all) {
         std::error_code ignored;
         std::string& target_path = fs::is_directory(name, ignored) ? paths.folder : paths.program;
         if (!target_path.empty())
-            return tl::unexpected(
-                fmt::format("'{}' and '{}': one program and one folder are enough", target_path, name));
+            return Unexpected(
+                fmt::format("'{}' and '{}': only one program and one folder are allowed", target_path, name));
         target_path = name;
     }
     return paths;
 }
 
-tl::expected<nlohmann::ordered_json, std::string> make_setup(const StudioArguments& arguments,
-                                                             const std::string& program,
-                                                             const fs::path& folder) {
+Result<nlohmann::ordered_json> make_setup(const StudioArguments& arguments, const std::string& program,
+                                          const fs::path& folder) {
     nlohmann::ordered_json setup{{"dialect", arguments.dialect}};
     struct File {
         const char* key;
@@ -107,16 +106,16 @@ tl::expected<nlohmann::ordered_json, std::string> make_setup(const StudioArgumen
     return setup;
 }
 
-tl::expected<fs::path, std::string> installed_page() {
+Result<fs::path> installed_page() {
     for (const fs::path& folder : os::data_folders(os::program_folder())) {
         std::error_code ignored;
         if (fs::exists(folder / kServedPage, ignored)) return folder / kServedPage;
     }
-    return tl::unexpected(std::string("this build has no page of the studio; make studio makes it"));
+    return Unexpected("this build has no Studio page; make studio builds it");
 }
 
 /// Returns the command line of gsim-serve with its path.
-tl::expected<std::vector<std::string>, std::string> server_command(const StudioArguments& arguments) {
+Result<std::vector<std::string>> server_command(const StudioArguments& arguments) {
     if (!arguments.dialect.empty()) {
         if (const auto reason = engine::find_controller_error(arguments.dialect))
             return tl::unexpected(*reason);
@@ -125,7 +124,7 @@ tl::expected<std::vector<std::string>, std::string> server_command(const StudioA
     if (!paths) return tl::unexpected(paths.error());
     std::error_code error;
     const fs::path folder = fs::canonical(served_folder(paths->folder, paths->program), error);
-    if (error) return tl::unexpected(fmt::format("'{}' is no folder: {}", paths->folder, error.message()));
+    if (error) return Unexpected(fmt::format("'{}' is not a folder: {}", paths->folder, error.message()));
     const auto setup = make_setup(arguments, paths->program, folder);
     if (!setup) return tl::unexpected(setup.error());
     const auto page = installed_page();
@@ -152,12 +151,12 @@ tl::expected<std::vector<std::string>, std::string> server_command(const StudioA
 
 int serve(const StudioArguments& arguments) {
     auto command = server_command(arguments);
-    if (!command) return usage_error(kStudio, command.error());
+    if (!command) return usage_error(kStudio, command.error().message);
     std::vector<char*> words;
     for (std::string& word : *command) words.push_back(word.data());
     words.push_back(nullptr);
     ::execv(words.front(), words.data());
-    return usage_error(kStudio, fmt::format("{} cannot be begun: {}", command->front(),
+    return usage_error(kStudio, fmt::format("{} cannot be started: {}", command->front(),
                                             std::generic_category().message(errno)));
 }
 
@@ -165,7 +164,7 @@ int serve(const StudioArguments& arguments) {
 
 std::unique_ptr<Program> make_gsim_studio() {
     return std::make_unique<ProgramWithArguments<StudioArguments>>(
-        kStudio, "Shows a machine run a program, and changes both, in a browser", add_studio_options, serve);
+        kStudio, "Simulates a program on a machine, and edits both, in a browser", add_studio_options, serve);
 }
 
 }  // namespace gsim::apps

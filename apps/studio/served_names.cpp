@@ -22,13 +22,12 @@ fs::path served_folder(const std::string& folder, const std::string& program) {
     return fs::current_path();
 }
 
-tl::expected<std::string, std::string> served_name(const fs::path& folder, NameKind kind,
-                                                   const std::string& file) {
+Result<std::string> served_name(const fs::path& folder, NameKind kind, const std::string& file) {
     const auto found = engine::find_file(kind, file);
     if (!found) return tl::unexpected(found.error());
     std::error_code error;
     const fs::path canonical_path = fs::canonical(*found, error);
-    if (error) return tl::unexpected(fmt::format("cannot read '{}': {}", *found, error.message()));
+    if (error) return Unexpected(fmt::format("cannot read '{}': {}", *found, error.message()));
     const auto is_below = [&canonical_path](const fs::path& parent_folder) {
         std::error_code ignored;
         const std::string name =
@@ -39,13 +38,11 @@ tl::expected<std::string, std::string> served_name(const fs::path& folder, NameK
     for (const fs::path& data : os::data_folders(os::program_folder())) {
         if (const std::string name = is_below(data / "samples"); !name.empty()) return "samples/" + name;
     }
-    return tl::unexpected(
-        fmt::format("'{}' lies outside of '{}', the folder that is served; name a folder that "
-                    "has both",
-                    file, folder.string()));
+    return Unexpected(fmt::format("'{}' is outside the served folder '{}'; name a folder that contains both",
+                                  file, folder.string()));
 }
 
-tl::expected<std::string, std::string> served_module(const std::string& name) {
+Result<std::string> served_module(const std::string& name) {
     return engine::find_file(NameKind::module, name).map([](const std::string& file) {
         return fs::absolute(file).string();
     });

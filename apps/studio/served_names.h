@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "engine/host.h"
 
 namespace gsim::apps {
@@ -15,10 +14,10 @@ std::filesystem::path served_folder(const std::string& folder, const std::string
 
 /// Returns the page's name of a file that the command line names: relative to the served folder, or
 /// "samples/wheel.nc" of an installation. The error is a message: the file does not exist, or lies elsewhere.
-tl::expected<std::string, std::string> served_name(const std::filesystem::path& folder, engine::NameKind kind,
-                                                   const std::string& file);
+Result<std::string> served_name(const std::filesystem::path& folder, engine::NameKind kind,
+                                const std::string& file);
 
-/// Returns the file of a controller module that the command line names. The error is a message.
-tl::expected<std::string, std::string> served_module(const std::string& name);
+/// Returns the file of a controller module that the command line names.
+Result<std::string> served_module(const std::string& name);
 
 }  // namespace gsim::apps

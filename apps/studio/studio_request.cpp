@@ -121,7 +121,7 @@ engine::Host make_host(const std::shared_ptr<const ServedFiles>& files, const st
     };
     const auto disk_path = [files](const std::string& name) -> tl::expected<std::string, std::string> {
         if (auto file = files->disk_path(name)) return *file;
-        return tl::unexpected("'" + name + "' is read from the disk: save it into the folder first");
+        return tl::unexpected("'" + name + "' must be read from the disk: save it to the folder first");
     };
     host.read_solid = [read = host.read_solid, disk_path](const std::string& file, double tolerance_mm) {
         return disk_path(file).and_then([&](const std::string& name) { return read(name, tolerance_mm); });
@@ -140,7 +140,7 @@ engine::Host make_host(const std::shared_ptr<const ServedFiles>& files, const st
             const machine::Machine& machine) -> tl::expected<std::shared_ptr<rrs::RcsModule>, std::string> {
         if (file != module || module.empty())
             return tl::unexpected(
-                std::string("the controller module is not the one that gsim studio was begun with (--rcs)"));
+                std::string("the controller module is not the one given to gsim studio (--rcs)"));
         return load(file, machine);
     };
     return host;
@@ -173,7 +173,7 @@ class SegmentArchive {
   public:
     explicit SegmentArchive(std::uint64_t full_segments)
         : full_segments_(full_segments), file_(::fdopen(kArchiveDescriptor, "wb")) {
-        if (!file_) throw std::system_error(errno, std::generic_category(), "the run cannot be kept");
+        if (!file_) throw std::system_error(errno, std::generic_category(), "the run cannot be stored");
     }
     void post(const std::string& message) const {
         const auto first = studio::first_segment(message);
@@ -186,7 +186,7 @@ class SegmentArchive {
     void store(const std::string& message) const {
         if (std::fwrite(message.data(), 1, message.size(), file_.get()) != message.size() ||
             std::fflush(file_.get()) != 0)
-            throw std::system_error(errno, std::generic_category(), "the run cannot be kept");
+            throw std::system_error(errno, std::generic_category(), "the run cannot be stored");
     }
 
     std::uint64_t full_segments_;
@@ -207,7 +207,7 @@ studio::Post message_sink(std::span<const std::string> arguments) {
 }
 
 /// Confines the process before anything that a page has sent is read.
-tl::expected<void, std::string> confine(const ServedFiles& files, const std::string& module) {
+Result<void> confine(const ServedFiles& files, const std::string& module) {
     if (!module.empty()) return {};  // its code may reach what it likes
     return confine_to_folders(files.folders());
 }
@@ -218,10 +218,11 @@ int handle_studio_request(std::span<const std::string> arguments) {
     std::signal(SIGPIPE, SIG_DFL);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // the requester has exited
     auto folder = os::RootedDirectory::open(option_value(arguments, "--folder"));
-    if (!folder) return usage_error(kName, folder.error());
+    if (!folder) return usage_error(kName, folder.error().message);
     const std::string module = option_value(arguments, "--rcs");
     const auto files = std::make_shared<ServedFiles>(*std::move(folder));
-    if (auto confined = confine(*files, module); !confined) return usage_error(kName, confined.error());
+    if (auto confined = confine(*files, module); !confined)
+        return usage_error(kName, confined.error().message);
     const studio::Post post = message_sink(arguments);
     const auto input_json = text::try_parse_json<nlohmann::json>(read_all(stdin));
     if (!input_json.is_object() || !input_json.contains("request") || !add_files(input_json, *files)) {

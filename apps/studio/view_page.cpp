@@ -28,7 +28,7 @@ constexpr std::string_view kRunPlaceholder = "<!-- run -->";
 constexpr std::string_view kRunPrefix = "<script type=\"application/octet-stream\" id=\"run\">";
 constexpr std::string_view kRunSuffix = "</script>";
 
-tl::expected<void, std::string> with_message(const tl::expected<void, engine::Error>& done) {
+Result<void> with_message(const tl::expected<void, engine::Error>& done) {
     if (done) return {};
     return tl::unexpected(done.error().message);
 }
@@ -42,7 +42,7 @@ class ViewPage::State {
     const studio::Post& post() const { return post_; }
     studio::RunSeries& series() { return series_; }
 
-    tl::expected<void, std::string> begin() {
+    Result<void> begin() {
         return os::OutputFile::open(name_).map([this](os::OutputFile file) {
             file_.emplace(std::move(file));
             file_->write(std::string_view(page_).substr(0, page_.find(kRunPlaceholder)));
@@ -50,7 +50,7 @@ class ViewPage::State {
         });
     }
 
-    tl::expected<void, std::string> end() {
+    Result<void> end() {
         text_.clear();
         compressed_.clear();
         gzip_.end(compressed_);
@@ -61,7 +61,7 @@ class ViewPage::State {
         file_->write(std::string_view(page_).substr(page_.find(kRunPlaceholder) + kRunPlaceholder.size()));
         return file_->prepare_commit();
     }
-    tl::expected<void, std::string> commit() { return file_->commit(); }
+    Result<void> commit() { return file_->commit(); }
 
   private:
     void write_compressed(const std::string& bytes) {
@@ -85,27 +85,27 @@ class ViewPage::State {
 ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ViewPage::~ViewPage() = default;
 
-tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::string& file) {
-    std::string reason = "it is not known where the program lies";
+Result<std::unique_ptr<ViewPage>> ViewPage::open(const std::string& file) {
+    std::string reason = "the folder of the program is unknown";
     for (const auto& folder : os::data_folders(os::program_folder())) {
         const std::string page = folder / kPageFile;
         auto text = os::read_input(page, os::NameSource::in_file, kMaxPageBytes);
         if (text && text->find(kRunPlaceholder) != std::string::npos)
             return std::unique_ptr<ViewPage>(new ViewPage(std::make_unique<State>(file, *std::move(text))));
-        reason = text ? fmt::format("'{}' has no place for a run", page) : text.error();
+        reason = text ? fmt::format("'{}' has no placeholder for a run", page) : text.error().message;
     }
-    return tl::unexpected(fmt::format(
-        "--view needs the page of the studio, which is not there ({}); `make studio` makes it", reason));
+    return Unexpected(fmt::format(
+        "--view requires the Studio page, which is not installed ({}); `make studio` builds it", reason));
 }
 
-tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {
+Result<void> ViewPage::attach(engine::Run& run) {
     return state_->begin().and_then(
-        [&] { return with_message(studio::post_run(run, state_->series(), state_->post())); });
+        [&] { return with_message(studio::send_run(run, state_->series(), state_->post())); });
 }
 
 // Input from a pipe can be read only once, so such a run is shown without its source. The text is that of the
 // file after the run, as far as the run may still read it.
-tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const engine::Report& report) {
+Result<void> ViewPage::finish(const engine::Run& run, const engine::Report& report) {
     std::vector<std::string> sources;
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
         for (const std::string& name : run.files(robot)) {
@@ -122,12 +122,12 @@ tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const e
         message.add("text", *text);
         state_->post()(message.bytes());
     }
-    return with_message(studio::post_end(run, state_->series(), report, state_->post())).and_then([&] {
+    return with_message(studio::send_end(run, state_->series(), report, state_->post())).and_then([&] {
         return state_->end();
     });
 }
 
-tl::expected<void, std::string> ViewPage::commit() {
+Result<void> ViewPage::commit() {
     return state_->commit();
 }
 

@@ -3,8 +3,7 @@
 #include <memory>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "engine/run.h"
 
 namespace gsim::apps {
@@ -14,19 +13,18 @@ class ViewPage {
   public:
     /// Reads the page that will contain the run, before the program gives up its read permissions. The error
     /// is a message: this build has no page.
-    static tl::expected<std::unique_ptr<ViewPage>, std::string> open(const std::string& file);
+    static Result<std::unique_ptr<ViewPage>> open(const std::string& file);
     ViewPage(const ViewPage&) = delete;
     ViewPage& operator=(const ViewPage&) = delete;
     ~ViewPage();
 
-    /// Attaches to the run before run.go(), so that it is written to a temporary file as it is made. The
-    /// error is a message.
-    tl::expected<void, std::string> attach(engine::Run& run);
+    /// Attaches to the run before run.go(), so that it is written to a temporary file as it is made.
+    Result<void> attach(engine::Run& run);
     /// Writes the remainder after the run, with those sources of the run that can be read again. The error is
     /// a message, such as that of a full disk.
-    tl::expected<void, std::string> finish(const engine::Run& run, const engine::Report& report);
-    /// Gives the file its name. The error is a message.
-    tl::expected<void, std::string> commit();
+    Result<void> finish(const engine::Run& run, const engine::Report& report);
+    /// Gives the file its name.
+    Result<void> commit();
 
   private:
     class State;

@@ -31,22 +31,22 @@ std::string first_line(std::FILE* file) {
 
 }  // namespace
 
-tl::expected<void, std::string> run_child(const std::vector<std::string>& command, std::FILE* input,
-                                          std::FILE* output) {
+Result<void> run_child(const std::vector<std::string>& command, std::FILE* input, std::FILE* output) {
     const FileHandle errors = open_memory_file("errors");
-    if (!errors) return tl::unexpected("cannot make a file in memory: " + message(errno));
+    if (!errors) return Unexpected("cannot create a file in memory: " + message(errno));
     SpawnActions actions;
     actions.redirect(::fileno(input), STDIN_FILENO);
     actions.redirect(::fileno(output), STDOUT_FILENO);
     actions.redirect(::fileno(errors.get()), STDERR_FILENO);
     const auto child = spawn(command, actions);
-    if (!child) return tl::unexpected(fmt::format("cannot run {}: {}", command[0], message(child.error())));
+    if (!child) return Unexpected(fmt::format("cannot run {}: {}", command[0], message(child.error())));
     const auto status = wait_for(*child);
-    if (!status) return tl::unexpected(fmt::format("lost {}: {}", command[0], message(status.error())));
+    if (!status)
+        return Unexpected(fmt::format("cannot wait for {}: {}", command[0], message(status.error())));
     if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0) return {};
     if (WIFSIGNALED(*status))
-        return tl::unexpected(fmt::format("{} was ended by signal {}", command[0], WTERMSIG(*status)));
-    return tl::unexpected(fmt::format("{} failed: {}", command[0], first_line(errors.get())));
+        return Unexpected(fmt::format("{} was terminated by signal {}", command[0], WTERMSIG(*status)));
+    return Unexpected(fmt::format("{} failed: {}", command[0], first_line(errors.get())));
 }
 
 }  // namespace gsim::os

@@ -65,20 +65,19 @@ std::size_t attributes_size(long version) {
     return version >= 4 ? 2 * sizeof(std::uint64_t) : sizeof(std::uint64_t);
 }
 
-tl::unexpected<std::string> confinement_error(const std::string& what) {
-    return tl::unexpected(
+Unexpected confinement_error(const std::string& what) {
+    return Unexpected(
         fmt::format("cannot {} to confine the run: {}", what, std::generic_category().message(errno)));
 }
 
 /// The rules of one confinement.
 class Ruleset {
   public:
-    Ruleset(int descriptor, std::uint64_t handled) : descriptor_(descriptor), handled_(handled) {}
+    Ruleset(int descriptor, std::uint64_t handled) : descriptor_(descriptor), handled_rights_(handled) {}
 
     int number() const { return descriptor_.number(); }
 
-    tl::expected<void, std::string> allow(const std::vector<std::filesystem::path>& paths,
-                                          std::uint64_t rights) {
+    Result<void> allow(const std::vector<std::filesystem::path>& paths, std::uint64_t rights) {
         for (const std::filesystem::path& path : paths) {
             if (auto allowed = allow(path, rights); !allowed) return allowed;
         }
@@ -86,11 +85,11 @@ class Ruleset {
     }
 
   private:
-    tl::expected<void, std::string> allow(const std::filesystem::path& path, std::uint64_t rights) {
+    Result<void> allow(const std::filesystem::path& path, std::uint64_t rights) {
         const Descriptor opened(::open(path.c_str(), O_PATH | O_CLOEXEC));
         struct stat found {};
         if (opened.number() < 0 || ::fstat(opened.number(), &found) != 0) return {};
-        std::uint64_t allowed = rights & handled_;
+        std::uint64_t allowed = rights & handled_rights_;
         if (!S_ISDIR(found.st_mode)) allowed &= kFileRights;
         const PathRule rule{allowed, opened.number()};
         // Objects outside any file system (pipes by their name in /proc) take no rule, and need none.
@@ -100,19 +99,19 @@ class Ruleset {
     }
 
     Descriptor descriptor_;
-    std::uint64_t handled_;
+    std::uint64_t handled_rights_;
 };
 
 }  // namespace
 
-tl::expected<bool, std::string> confine(const SandboxPolicy& policy) {
+Result<bool> confine(const SandboxPolicy& policy) {
     const long version = landlock_version();
     if (version < 1) return false;
     const RulesetAttributes all = all_rights(version);
     Ruleset rules(
         static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, attributes_size(version), 0U)),
         all.files);
-    if (rules.number() < 0) return confinement_error("make rules");
+    if (rules.number() < 0) return confinement_error("create rules");
     constexpr std::uint64_t kReadRights = kReadFile | kReadFolder;
     constexpr std::uint64_t kWriteRights = kWriteFile | kTruncate;
     for (const auto& [paths, rights] :
@@ -122,7 +121,7 @@ tl::expected<bool, std::string> confine(const SandboxPolicy& policy) {
           {&policy.changed, kReadRights | kWriteRights | kMakeFile | kRemoveFile}}) {
         if (auto result = rules.allow(*paths, rights); !result) return tl::unexpected(result.error());
     }
-    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement_error("give up privileges");
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement_error("drop privileges");
     if (::syscall(SYS_landlock_restrict_self, rules.number(), 0U) != 0)
         return confinement_error("apply rules");
     return true;

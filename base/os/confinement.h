@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::os {
 
@@ -23,6 +23,6 @@ struct SandboxPolicy {
 /// gets a signal. Everything that is open stays open. This cannot be undone.
 /// Source: landlock(7) of Linux.
 /// Returns false if the system has no such facility. The error is a message: the system has it, and refuses.
-tl::expected<bool, std::string> confine(const SandboxPolicy& policy);
+Result<bool> confine(const SandboxPolicy& policy);
 
 }  // namespace gsim::os

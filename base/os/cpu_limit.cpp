@@ -57,7 +57,7 @@ bool CpuLimit::reached() {
 }
 
 double CpuLimit::remaining_s() const {
-    return end_s_ - thread_time_s() - helper_s_;
+    return end_s_ - thread_time_s() - helper_time_s_;
 }
 
 ProcessCpuLimit::ProcessCpuLimit(double seconds, const char* message, int status) {

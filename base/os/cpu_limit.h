@@ -15,14 +15,14 @@ class CpuLimit {
     explicit CpuLimit(double seconds);
 
     /// Makes the limit count as reached as soon as `asked` is true, which any thread may set.
-    void cancel_when(std::shared_ptr<const std::atomic<bool>> stop_flag) {
+    void set_cancel_flag(std::shared_ptr<const std::atomic<bool>> stop_flag) {
         cancel_flag_ = std::move(stop_flag);
     }
     /// True if that flag was the reason.
     bool was_cancelled() const { return cancel_flag_ != nullptr && *cancel_flag_; }
 
     /// Counts also the time that a process working for the thread has spent so far.
-    void set_helper_time(double seconds) { helper_s_ = seconds; }
+    void set_helper_time(double seconds) { helper_time_s_ = seconds; }
 
     /// True if the time is used up, or the end was requested. Cheap enough for each block of a program: a
     /// thread cannot have spent more than the elapsed time. So its clock, a system call, is read only if that
@@ -36,7 +36,7 @@ class CpuLimit {
     double seconds_;
     double end_s_;                ///< On the thread's clock.
     std::timespec next_check_{};  ///< On the coarse clock: no check is needed until then.
-    double helper_s_ = 0;
+    double helper_time_s_ = 0;
     bool reached_ = false;
     std::shared_ptr<const std::atomic<bool>> cancel_flag_ = nullptr;
 };

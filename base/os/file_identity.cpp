@@ -24,7 +24,7 @@ struct OpenedFile {
 };
 
 // Returns nothing if no such file exists; errno gives the reason.
-std::optional<OpenedFile> find_held(const std::filesystem::path& path) {
+std::optional<OpenedFile> open_existing(const std::filesystem::path& path) {
     OpenedFile opened;
     opened.descriptor = std::make_shared<const Descriptor>(::open(path.c_str(), kPathOnlyFlags));
     if (opened.descriptor->number() < 0 || ::fstat(opened.descriptor->number(), &opened.status) != 0)
@@ -44,7 +44,7 @@ std::filesystem::path canonical_path(const std::filesystem::path& path) {
 
 std::optional<FileIdentity> file_identity(const std::filesystem::path& path) {
     const bool may_be_new = path.has_filename();
-    if (auto opened = find_held(path)) {
+    if (auto opened = open_existing(path)) {
         if (!S_ISREG(opened->status.st_mode)) return std::nullopt;
         return FileIdentity{opened->status.st_dev,
                             opened->status.st_ino,
@@ -53,7 +53,7 @@ std::optional<FileIdentity> file_identity(const std::filesystem::path& path) {
                             canonical_path(path)};
     }
     if (errno != ENOENT || !may_be_new) return std::nullopt;
-    auto folder = find_held(path.has_parent_path() ? path.parent_path() : ".");
+    auto folder = open_existing(path.has_parent_path() ? path.parent_path() : ".");
     if (!folder) return std::nullopt;
     return FileIdentity{folder->status.st_dev, folder->status.st_ino, path.filename().string(),
                         std::move(folder->descriptor), canonical_path(path)};

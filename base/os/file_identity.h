@@ -19,7 +19,7 @@ struct FileIdentity {
     dev_t device = 0;
     ino_t inode = 0;
     std::string name;  ///< For a file that does not exist yet; device and inode are those of its folder.
-    std::shared_ptr<const Descriptor> number_handle = nullptr;  ///< Handle that keeps the number.
+    std::shared_ptr<const Descriptor> inode_handle = nullptr;  ///< Handle that keeps the number.
     std::filesystem::path resolved_path = {};  ///< Absolute path without links; empty if not known.
 
     bool operator==(const FileIdentity& other) const {

@@ -66,7 +66,7 @@ tl::expected<FileLock, int> FileLock::try_lock(const fs::path& path) {
     return lock;
 }
 
-tl::expected<FileLock, std::string> FileLock::get(const fs::path& file, std::chrono::milliseconds max_wait) {
+Result<FileLock> FileLock::get(const fs::path& file, std::chrono::milliseconds max_wait) {
     if (!needs_lock(file)) return FileLock(-1);
     const fs::path path = lock_name(file);
     const Clock::time_point end = Clock::now() + max_wait;
@@ -74,15 +74,15 @@ tl::expected<FileLock, std::string> FileLock::get(const fs::path& file, std::chr
         auto lock = try_lock(path);
         if (lock) return *std::move(lock);
         if (lock.error() != EWOULDBLOCK && lock.error() != EINTR) {
-            return tl::unexpected(fmt::format("cannot write '{}': {}", file.string(),
-                                              std::generic_category().message(lock.error())));
+            return Unexpected(fmt::format("cannot write '{}': {}", file.string(),
+                                          std::generic_category().message(lock.error())));
         }
         if (Clock::now() >= end) break;
         std::this_thread::sleep_for(kPause);
     }
-    return tl::unexpected(
-        fmt::format("cannot change '{}': another program is changing it, and has not ended within {:.6g} s "
-                    "(its lock is '{}')",
+    return Unexpected(
+        fmt::format("cannot change '{}': another program is changing it, and has not finished within {:.6g} "
+                    "s (its lock is '{}')",
                     file.string(), std::chrono::duration<double>(max_wait).count(), path.string()));
 }
 

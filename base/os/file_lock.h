@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "base/os/descriptor.h"
 #include "base/os/temporary_name.h"
 
@@ -18,8 +19,7 @@ class FileLock {
   public:
     /// Waits that long for the lock. Anything but a regular file needs no lock and gets an empty one. The
     /// error is a message that names the file.
-    static tl::expected<FileLock, std::string> get(const std::filesystem::path& file,
-                                                   std::chrono::milliseconds max_wait);
+    static Result<FileLock> get(const std::filesystem::path& file, std::chrono::milliseconds max_wait);
 
     FileLock(FileLock&&) noexcept = default;
     FileLock& operator=(FileLock&&) = delete;

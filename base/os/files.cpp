@@ -11,12 +11,12 @@ namespace {
 
 class DiskFiles final : public Files {
   public:
-    tl::expected<std::string, std::string> read(const std::filesystem::path& path, NameSource name_source,
-                                                std::size_t max_bytes) const override {
+    Result<std::string> read(const std::filesystem::path& path, NameSource name_source,
+                             std::size_t max_bytes) const override {
         return read_input(path, name_source, max_bytes);
     }
 
-    std::optional<std::string> find_error(const std::filesystem::path& path) const override {
+    std::optional<Error> find_error(const std::filesystem::path& path) const override {
         std::error_code error;
         static_cast<void>(std::filesystem::file_size(path, error));
         return error ? std::optional(error.message()) : std::nullopt;
@@ -51,8 +51,7 @@ class DiskFiles final : public Files {
 
 }  // namespace
 
-tl::expected<std::string, std::string> Files::read_text(const std::filesystem::path& path,
-                                                        NameSource name_source) const {
+Result<std::string> Files::read_text(const std::filesystem::path& path, NameSource name_source) const {
     return read(path, name_source, kMaxTextFileBytes);
 }
 
@@ -61,16 +60,15 @@ const Files& disk() {
     return files;
 }
 
-tl::expected<std::string, std::string> CallbackFiles::read(const std::filesystem::path& path,
-                                                           NameSource /*name_source*/,
-                                                           std::size_t max_bytes) const {
+Result<std::string> CallbackFiles::read(const std::filesystem::path& path, NameSource /*name_source*/,
+                                        std::size_t max_bytes) const {
     std::optional<std::string> bytes = provider_(path.lexically_normal().string());
-    if (!bytes) return tl::unexpected("cannot read '" + path.string() + "': there is no such file");
+    if (!bytes) return Unexpected("cannot read '" + path.string() + "': file not found");
     if (bytes->size() > max_bytes) return tl::unexpected(too_large(path, max_bytes));
     return *std::move(bytes);
 }
 
-std::optional<std::string> CallbackFiles::find_error(const std::filesystem::path& /*path*/) const {
+std::optional<Error> CallbackFiles::find_error(const std::filesystem::path& /*path*/) const {
     return std::nullopt;
 }
 

@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/input_file.h"
 
 namespace gsim::os {
@@ -20,12 +19,10 @@ class Files {
 
     /// Returns all bytes of a file of up to `max_bytes`, a multiple of 1 MiB. The error is a message with its
     /// name.
-    virtual tl::expected<std::string, std::string> read(const std::filesystem::path& path,
-                                                        NameSource name_source,
-                                                        std::size_t max_bytes) const = 0;
-    /// Returns why a file cannot exist for reading ("No such file or directory"), without reading it, or
-    /// nothing if it may exist.
-    virtual std::optional<std::string> find_error(const std::filesystem::path& path) const = 0;
+    virtual Result<std::string> read(const std::filesystem::path& path, NameSource name_source,
+                                     std::size_t max_bytes) const = 0;
+    /// Returns an error if a file cannot exist for reading ("No such file or directory"), without reading it.
+    virtual std::optional<Error> find_error(const std::filesystem::path& path) const = 0;
     /// True if a regular file of this name exists.
     virtual bool has(const std::filesystem::path& path) const = 0;
     /// True if no file of this name exists. A file that cannot be checked may exist; reading it reports the
@@ -40,8 +37,8 @@ class Files {
 
     /// Returns the bytes of a small file written by hand (at most 4 MiB). The error is a message that names
     /// the file.
-    tl::expected<std::string, std::string> read_text(const std::filesystem::path& path,
-                                                     NameSource name_source = NameSource::in_file) const;
+    Result<std::string> read_text(const std::filesystem::path& path,
+                                  NameSource name_source = NameSource::in_file) const;
 };
 
 /// Returns the files of the system.
@@ -55,10 +52,10 @@ class CallbackFiles final : public Files {
 
     explicit CallbackFiles(FileProvider provider) : provider_(std::move(provider)) {}
 
-    tl::expected<std::string, std::string> read(const std::filesystem::path& path, NameSource name_source,
-                                                std::size_t max_bytes) const override;
+    Result<std::string> read(const std::filesystem::path& path, NameSource name_source,
+                             std::size_t max_bytes) const override;
     /// Returns nothing, because a missing file is reported when it is read.
-    std::optional<std::string> find_error(const std::filesystem::path& path) const override;
+    std::optional<Error> find_error(const std::filesystem::path& path) const override;
     bool has(const std::filesystem::path& path) const override;
     bool is_absent(const std::filesystem::path& path) const override { return !has(path); }
     bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) const override;

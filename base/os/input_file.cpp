@@ -28,14 +28,14 @@ const char* file_type_text(mode_t mode) {
     return "a device";
 }
 
-// Returns the error of an open file; empty if it has none.
-std::string find_error(int descriptor, NameSource name_source) {
+// Returns the error of an open file.
+std::optional<Error> find_error(int descriptor, NameSource name_source) {
     struct stat info {};
     if (::fstat(descriptor, &info) != 0) return reason(errno);
     if (S_ISDIR(info.st_mode)) return reason(EISDIR);
     if (S_ISREG(info.st_mode) || name_source == NameSource::command_line) return {};
     return std::string("it is ") + file_type_text(info.st_mode) +
-           "; a file or script may name regular files only, the command line anything";
+           "; a file or script may name only regular files, the command line any file";
 }
 
 std::string input_error(const std::filesystem::path& path, const std::string& cause) {
@@ -44,14 +44,14 @@ std::string input_error(const std::filesystem::path& path, const std::string& ca
 
 }  // namespace
 
-tl::expected<InputFile, std::string> open_input(const std::filesystem::path& path, NameSource name_source) {
+Result<InputFile> open_input(const std::filesystem::path& path, NameSource name_source) {
     // The file is opened without waiting to find out its type; a pipe of the command line is waited for
     // instead.
     const int waiting = name_source == NameSource::command_line ? 0 : O_NONBLOCK;
     const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | waiting);
     if (number < 0) return tl::unexpected(reason(errno));
     Descriptor descriptor(number);
-    if (std::string error = find_error(number, name_source); !error.empty()) return tl::unexpected(error);
+    if (auto error = find_error(number, name_source)) return tl::unexpected(*std::move(error));
     if (waiting != 0 && ::fcntl(number, F_SETFL, 0) != 0) return tl::unexpected(reason(errno));
     InputFile file(::fdopen(number, "rb"));
     if (!file) return tl::unexpected(reason(errno));
@@ -59,10 +59,10 @@ tl::expected<InputFile, std::string> open_input(const std::filesystem::path& pat
     return file;
 }
 
-tl::expected<std::string, std::string> read_input(const std::filesystem::path& path, NameSource name_source,
-                                                  std::size_t max_bytes) {
+Result<std::string> read_input(const std::filesystem::path& path, NameSource name_source,
+                               std::size_t max_bytes) {
     const auto file = open_input(path, name_source);
-    if (!file) return tl::unexpected(input_error(path, file.error()));
+    if (!file) return tl::unexpected(input_error(path, file.error().message));
     std::string text;
     std::array<char, kInputChunk> chunk;
     while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file->get())) {
@@ -80,8 +80,7 @@ std::string too_large(const std::filesystem::path& path, std::size_t max_bytes) 
     return "'" + path.string() + "' is larger than " + std::to_string(max_bytes >> kMiBShift) + " MiB";
 }
 
-tl::expected<std::string, std::string> read_text_file(const std::filesystem::path& path,
-                                                      NameSource name_source) {
+Result<std::string> read_text_file(const std::filesystem::path& path, NameSource name_source) {
     return read_input(path, name_source, kMaxTextFileBytes);
 }
 

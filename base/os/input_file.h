@@ -4,8 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/file_handle.h"
 
 namespace gsim::os {
@@ -26,19 +25,19 @@ using InputFile = FileHandle;
 /// Opens a file for reading; the programs read everything but standard input by this function. The check is
 /// made on the opened file, so that no other file can take its place in between. The error gives the reason
 /// without the name: "No such file or directory".
-tl::expected<InputFile, std::string> open_input(const std::filesystem::path& path, NameSource name_source);
+Result<InputFile> open_input(const std::filesystem::path& path, NameSource name_source);
 
 /// Returns all bytes of a file of up to `max_bytes`, a multiple of 1 MiB. The error is a message with its
 /// name.
-tl::expected<std::string, std::string> read_input(const std::filesystem::path& path, NameSource name_source,
-                                                  std::size_t max_bytes);
+Result<std::string> read_input(const std::filesystem::path& path, NameSource name_source,
+                               std::size_t max_bytes);
 
 /// Returns the message for a file that has more than `max_bytes`.
 std::string too_large(const std::filesystem::path& path, std::size_t max_bytes);
 
 /// Returns the bytes of a small file written by hand (at most 4 MiB). The error is a message that names the
 /// file.
-tl::expected<std::string, std::string> read_text_file(const std::filesystem::path& path,
-                                                      NameSource name_source = NameSource::in_file);
+Result<std::string> read_text_file(const std::filesystem::path& path,
+                                   NameSource name_source = NameSource::in_file);
 
 }  // namespace gsim::os

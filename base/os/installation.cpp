@@ -19,14 +19,14 @@ std::vector<fs::path> data_folders(const fs::path& bin_folder) {
     return {bin_folder.parent_path() / GSIM_DATA_FOLDER};
 }
 
-tl::expected<fs::path, std::string> helper_program(const fs::path& bin_folder, const std::string& name) {
+Result<fs::path> helper_program(const fs::path& bin_folder, const std::string& name) {
     const fs::path installed = bin_folder.parent_path() / "libexec" / "gsim";
     for (const fs::path& folder : {bin_folder, installed}) {
         std::error_code error;
         if (fs::exists(folder / name, error)) return folder / name;
     }
-    return tl::unexpected(fmt::format("the program {} is neither in '{}' nor in '{}'", name,
-                                      bin_folder.string(), installed.string()));
+    return Unexpected(fmt::format("the program {} is neither in '{}' nor in '{}'", name, bin_folder.string(),
+                                  installed.string()));
 }
 
 std::vector<fs::path> module_folders(const fs::path& bin_folder) {

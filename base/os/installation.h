@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::os {
 
@@ -19,8 +19,8 @@ std::vector<std::filesystem::path> data_folders(const std::filesystem::path& bin
 
 /// Returns a program that others call (gsim-serve): next to the running program, as in a build folder, or
 /// where an installation keeps it. The error is a message with the searched positions.
-tl::expected<std::filesystem::path, std::string> helper_program(const std::filesystem::path& bin_folder,
-                                                                const std::string& name);
+Result<std::filesystem::path> helper_program(const std::filesystem::path& bin_folder,
+                                             const std::string& name);
 
 /// Returns its folders of controller modules.
 std::vector<std::filesystem::path> module_folders(const std::filesystem::path& bin_folder);

@@ -52,7 +52,7 @@ int sync_folder(const fs::path& file) {
 
 }  // namespace
 
-tl::expected<OutputFile, std::string> OutputFile::open(const fs::path& path, ExistingFilePolicy existing) {
+Result<OutputFile> OutputFile::open(const fs::path& path, ExistingFilePolicy existing) {
     OutputFile file;
     file.existing_policy_ = existing;
     file.path_ = path;
@@ -73,7 +73,7 @@ tl::expected<OutputFile, std::string> OutputFile::open(const fs::path& path, Exi
     return file;
 }
 
-tl::expected<void, std::string> OutputFile::check(const fs::path& path) {
+Result<void> OutputFile::check(const fs::path& path) {
     std::error_code error;
     if (path == kStandardStream || (fs::exists(path, error) && !fs::is_regular_file(path, error))) {
         if (!fs::is_directory(path, error)) return {};
@@ -81,14 +81,14 @@ tl::expected<void, std::string> OutputFile::check(const fs::path& path) {
     return open(path).map([](const OutputFile&) {});
 }
 
-tl::expected<void, std::string> OutputFile::open_directly() {
+Result<void> OutputFile::open_directly() {
     stream_.reset(std::fopen(path_.c_str(), "we"));
     if (!stream_) return write_error(errno);
     return {};
 }
 
 // A separate stream is used, so that closing it reports every error and leaves standard output open.
-tl::expected<void, std::string> OutputFile::open_standard_output() {
+Result<void> OutputFile::open_standard_output() {
     display_name_ = "standard output";
     const int descriptor = ::dup(STDOUT_FILENO);
     if (descriptor >= 0) stream_.reset(::fdopen(descriptor, "w"));
@@ -96,7 +96,7 @@ tl::expected<void, std::string> OutputFile::open_standard_output() {
     return {};
 }
 
-tl::expected<void, std::string> OutputFile::open_temporary() {
+Result<void> OutputFile::open_temporary() {
     struct stat existing {};
     const bool exists = ::stat(path_.c_str(), &existing) == 0;
     if (!exists && errno != ENOENT) return write_error(errno);
@@ -131,7 +131,7 @@ int OutputFile::close(Durability reach) {
     return error_;
 }
 
-tl::expected<void, std::string> OutputFile::prepare_commit(Durability reach) {
+Result<void> OutputFile::prepare_commit(Durability reach) {
     if (!stream_) return {};
     if (const int error = close(reach); error != 0) return write_error(error);
     return {};
@@ -152,7 +152,7 @@ int OutputFile::rename() const {
     return ::rename(from, path_.c_str()) == 0 ? 0 : errno;
 }
 
-tl::expected<void, std::string> OutputFile::commit(Durability reach) {
+Result<void> OutputFile::commit(Durability reach) {
     if (auto prepared = prepare_commit(reach); !prepared || temporary_.empty()) return prepared;
     if (const int error = rename(); error != 0) return write_error(error);
     temporary_.release();
@@ -161,14 +161,13 @@ tl::expected<void, std::string> OutputFile::commit(Durability reach) {
     return {};
 }
 
-tl::unexpected<std::string> OutputFile::write_error(int error) const {
-    return tl::unexpected(
+Unexpected OutputFile::write_error(int error) const {
+    return Unexpected(
         fmt::format("cannot write {}: {}", display_name_, std::generic_category().message(error)));
 }
 
-tl::expected<void, std::string> write_file(const fs::path& path, std::string_view contents,
-                                           Durability reach) {
-    tl::expected<OutputFile, std::string> file = OutputFile::open(path);
+Result<void> write_file(const fs::path& path, std::string_view contents, Durability reach) {
+    Result<OutputFile> file = OutputFile::open(path);
     if (!file) return tl::unexpected(file.error());
     file->write(contents);
     return file->commit(reach);

@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "base/os/file_handle.h"
 #include "base/os/temporary_name.h"
 
@@ -35,13 +36,13 @@ enum class ExistingFilePolicy {
 class OutputFile {
   public:
     /// Opens the file. The error is a message that names it.
-    static tl::expected<OutputFile, std::string> open(
-        const std::filesystem::path& path, ExistingFilePolicy existing = ExistingFilePolicy::replace);
+    static Result<OutputFile> open(const std::filesystem::path& path,
+                                   ExistingFilePolicy existing = ExistingFilePolicy::replace);
 
     /// Checks if open() would succeed, as far as that is known before; for content that is written at the end
     /// of long work. Leaves no file, and does not touch anything but a regular file. The error is that of
     /// open().
-    static tl::expected<void, std::string> check(const std::filesystem::path& path);
+    static Result<void> check(const std::filesystem::path& path);
 
     OutputFile(OutputFile&&) noexcept = default;
     OutputFile& operator=(OutputFile&&) = delete;
@@ -55,18 +56,18 @@ class OutputFile {
     std::FILE* stream() const { return stream_.get(); }
     /// Closes the file, so that a full disk is detected, and commit() only gives it its name. If several
     /// files belong together, all of them are settled first.
-    tl::expected<void, std::string> prepare_commit(Durability reach = Durability::system);
+    Result<void> prepare_commit(Durability reach = Durability::system);
     /// Settles the file and gives it its name. The error, such as a full disk, is a message that names the
     /// file; then the previous file is unchanged.
-    tl::expected<void, std::string> commit(Durability reach = Durability::system);
+    Result<void> commit(Durability reach = Durability::system);
     /// Returns the error that it cannot be written, for this value of errno.
-    tl::unexpected<std::string> write_error(int error) const;
+    Unexpected write_error(int error) const;
 
   private:
     OutputFile() = default;
-    tl::expected<void, std::string> open_temporary();
-    tl::expected<void, std::string> open_directly();
-    tl::expected<void, std::string> open_standard_output();
+    Result<void> open_temporary();
+    Result<void> open_directly();
+    Result<void> open_standard_output();
     int close(Durability reach);
     int rename() const;
 
@@ -78,8 +79,8 @@ class OutputFile {
     int error_ = 0;  // errno of the first failure
 };
 
-/// Writes a complete file by OutputFile. The error is a message.
-tl::expected<void, std::string> write_file(const std::filesystem::path& path, std::string_view contents,
-                                           Durability reach = Durability::system);
+/// Writes a complete file by OutputFile.
+Result<void> write_file(const std::filesystem::path& path, std::string_view contents,
+                        Durability reach = Durability::system);
 
 }  // namespace gsim::os

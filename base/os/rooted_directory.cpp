@@ -31,14 +31,15 @@ std::string system_message(int error) {
 }
 
 tl::unexpected<DirectoryError> make_error(Kind kind, std::string message, ContentTag tag = {}) {
-    return tl::unexpected(DirectoryError{kind, std::move(message), std::move(tag)});
+    return tl::unexpected(DirectoryError{{std::move(message)}, kind, std::move(tag)});
 }
 
 /// Returns the error of an operation on the file `name`; `what` is its verb ("written").
 tl::unexpected<DirectoryError> folder_error(int error, const char* what, const std::string& name) {
     if (error == ELOOP || error == ENOTDIR)
-        return make_error(Kind::name,
-                          fmt::format("'{}' is a link, or leads over one: links are not followed", name));
+        return make_error(
+            Kind::name,
+            fmt::format("'{}' is a link, or its path contains one: links are not followed", name));
     const bool is_absent = error == ENOENT;
     const bool is_full = error == ENOSPC || error == EDQUOT || error == EFBIG;
     const Kind kind = is_absent ? Kind::absent : is_full ? Kind::no_space : Kind::other;
@@ -60,15 +61,15 @@ tl::expected<Descriptor, int> open_folder(int above, const char* name) {
 enum class MissingFolders { fail, make };
 
 /// The folder that contains the last part of the name, and that part.
-struct ParentAndName {
+struct ResolvedPath {
     Descriptor folder;
     std::string file;
 };
 
-tl::expected<ParentAndName, DirectoryError> open_parent(int root, const std::string& name,
-                                                        MissingFolders missing, const char* what) {
+tl::expected<ResolvedPath, DirectoryError> open_parent(int root, const std::string& name,
+                                                       MissingFolders missing, const char* what) {
     auto parts = safe_name_parts(name);
-    if (!parts) return make_error(Kind::name, parts.error());
+    if (!parts) return make_error(Kind::name, parts.error().message);
     std::optional<Descriptor> folder;
     for (std::size_t i = 0; i < parts->size(); ++i) {
         const int above = folder ? folder->number() : root;
@@ -78,11 +79,11 @@ tl::expected<ParentAndName, DirectoryError> open_parent(int root, const std::str
         if (!next) return folder_error(next.error(), what, name);
         folder.emplace(*std::move(next));
     }
-    return ParentAndName{*std::move(folder), std::move(parts->back())};
+    return ResolvedPath{*std::move(folder), std::move(parts->back())};
 }
 
 /// Returns a regular file, or errno. Does not block on a pipe of that name.
-tl::expected<Descriptor, int> open_regular(const ParentAndName& resolved_path, struct stat& status) {
+tl::expected<Descriptor, int> open_regular(const ResolvedPath& resolved_path, struct stat& status) {
     Descriptor file(::openat(resolved_path.folder.number(), resolved_path.file.c_str(),
                              O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     if (file.number() < 0) return tl::unexpected(errno);
@@ -135,13 +136,13 @@ class TemporaryFile {
     Descriptor file_;
 };
 
-std::optional<ContentTag> current_tag(const ParentAndName& resolved_path) {
+std::optional<ContentTag> current_tag(const ResolvedPath& resolved_path) {
     struct stat status {};
     if (!open_regular(resolved_path, status)) return std::nullopt;
     return tag_from_status(status);
 }
 
-tl::unexpected<DirectoryError> conflict(const ParentAndName& resolved_path, const std::string& name) {
+tl::unexpected<DirectoryError> conflict(const ResolvedPath& resolved_path, const std::string& name) {
     const auto existing_tag = current_tag(resolved_path);
     return make_error(Kind::conflict,
                       existing_tag ? fmt::format("'{}' has been changed by another program", name)
@@ -151,7 +152,7 @@ tl::unexpected<DirectoryError> conflict(const ParentAndName& resolved_path, cons
 
 /// Gives the new file its name. `error` is that of renaming it to a name that must not exist; if the file
 /// system cannot do that, a link is made.
-tl::expected<void, DirectoryError> claim_new_name(const ParentAndName& resolved_path,
+tl::expected<void, DirectoryError> claim_new_name(const ResolvedPath& resolved_path,
                                                   TemporaryFile& temporary_file, const std::string& name,
                                                   int error) {
     const int folder = resolved_path.folder.number();
@@ -167,7 +168,7 @@ tl::expected<void, DirectoryError> claim_new_name(const ParentAndName& resolved_
 
 /// Gives the new file the name, if the existing file is the expected one. Content that another program wrote
 /// at the last instant is put back.
-tl::expected<void, DirectoryError> replace(const ParentAndName& resolved_path, TemporaryFile& temporary_file,
+tl::expected<void, DirectoryError> replace(const ResolvedPath& resolved_path, TemporaryFile& temporary_file,
                                            const std::string& name, const ContentTag& before) {
     const int folder = resolved_path.folder.number();
     const auto rename_with = [&](unsigned flags) {
@@ -195,10 +196,9 @@ tl::expected<void, DirectoryError> replace(const ParentAndName& resolved_path, T
     if (is_expected) return {};  // the temporary file is the old content now; it is removed
     if (exchange() != 0) {
         temporary_file.release();  // its content belongs to another program
-        return make_error(Kind::other,
-                          fmt::format("'{}' was changed meanwhile by another program, whose content is "
-                                      "now in '{}'",
-                                      name, temporary_file.name()));
+        return make_error(Kind::other, fmt::format("'{}' was changed by another program in the meantime; the "
+                                                   "content of that program is now in '{}'",
+                                                   name, temporary_file.name()));
     }
     return conflict(resolved_path, name);
 }
@@ -280,15 +280,14 @@ class DirectoryWalk {
 
 }  // namespace
 
-tl::expected<RootedDirectory, std::string> RootedDirectory::open(const fs::path& folder) {
+Result<RootedDirectory> RootedDirectory::open(const fs::path& folder) {
     Descriptor root(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (root.number() < 0)
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("'{}' cannot be opened as a folder: {}", folder.string(), system_message(errno)));
     std::error_code error;
     fs::path canonical_path = fs::canonical(folder, error);
-    if (error)
-        return tl::unexpected(fmt::format("'{}' cannot be found: {}", folder.string(), error.message()));
+    if (error) return Unexpected(fmt::format("'{}' cannot be found: {}", folder.string(), error.message()));
     return RootedDirectory(std::make_shared<const Descriptor>(std::move(root)),
                            std::make_shared<const fs::path>(std::move(canonical_path)));
 }
@@ -352,7 +351,7 @@ tl::expected<ContentTag, DirectoryError> RootedDirectory::write(
     });
     if (error != 0) return folder_error(error, "written", name);
     if (!is_complete)
-        return make_error(Kind::other, fmt::format("'{}' is not written: its content ended too soon", name));
+        return make_error(Kind::other, fmt::format("'{}' was not written: its content is incomplete", name));
     if (!before.empty()) ::fchmod(temporary_file->number(), old.st_mode & 07777U);
     struct stat new_file {};
     if (::fsync(temporary_file->number()) != 0 || ::fstat(temporary_file->number(), &new_file) != 0)

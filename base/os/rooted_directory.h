@@ -12,6 +12,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "base/os/descriptor.h"
 
 namespace gsim::os {
@@ -28,7 +29,7 @@ struct FileEntry {
 };
 
 /// Reason why a file of a folder is not read or written.
-struct DirectoryError {
+struct DirectoryError : Error {
     enum class Kind : std::uint8_t {
         name,      ///< It is no name of a file that lies below the folder.
         absent,    ///< There is no such file.
@@ -37,7 +38,6 @@ struct DirectoryError {
         other,
     };
     Kind kind = Kind::other;
-    std::string message;
     ContentTag tag = {};  ///< For a conflict: tag of the existing file; empty: no file.
 };
 
@@ -47,7 +47,7 @@ struct DirectoryError {
 class RootedDirectory {
   public:
     /// Opens the folder. The error is a message that names it.
-    static tl::expected<RootedDirectory, std::string> open(const std::filesystem::path& folder);
+    static Result<RootedDirectory> open(const std::filesystem::path& folder);
 
     /// Returns up to `most` files of up to `most` folders, sorted by name. Sets `cut` if more files exist, or
     /// folders deeper than 32. Then the files of upper folders are included, and of one folder the first

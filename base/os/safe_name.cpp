@@ -12,7 +12,7 @@ constexpr std::size_t kMaxNameLength = 1024;
 constexpr std::size_t kMaxPartLength = 255;  // NAME_MAX
 
 const char* name_error(std::string_view part) {
-    if (part.empty()) return "has an empty part, as names that begin or end with / have";
+    if (part.empty()) return "has an empty part, such as a name that begins or ends with /";
     if (part.front() == '.') return "has a part that begins with a dot";
     if (part.size() > kMaxPartLength) return "has a part that is too long";
     const auto is_forbidden = [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '\\'; };
@@ -22,9 +22,9 @@ const char* name_error(std::string_view part) {
 
 }  // namespace
 
-tl::expected<std::vector<std::string>, std::string> safe_name_parts(std::string_view name) {
-    if (name.size() > kMaxNameLength) return tl::unexpected(std::string("the name of the file is too long"));
-    if (!text::is_utf8(name)) return tl::unexpected(std::string("the name of the file is no UTF-8"));
+Result<std::vector<std::string>> safe_name_parts(std::string_view name) {
+    if (name.size() > kMaxNameLength) return Unexpected("the name of the file is too long");
+    if (!text::is_utf8(name)) return Unexpected("the name of the file is not UTF-8");
     std::vector<std::string> parts;
     for (;;) {
         const std::size_t end = std::min(name.find('/'), name.size());

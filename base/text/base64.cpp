@@ -5,14 +5,14 @@ namespace gsim::text {
 namespace {
 
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-constexpr std::size_t kGroup = 3;
+constexpr std::size_t kGroupBytes = 3;
 
 /// Writes up to three bytes as four digits; digits without a byte are '='.
 void append_group(std::string_view bytes, std::string& text) {
     unsigned value = 0;
-    for (std::size_t i = 0; i < kGroup; ++i)
+    for (std::size_t i = 0; i < kGroupBytes; ++i)
         value = value << 8U | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U);
-    for (std::size_t i = 0; i <= kGroup; ++i) {
+    for (std::size_t i = 0; i <= kGroupBytes; ++i) {
         const unsigned digit = value >> (18U - 6U * i) & 63U;
         text.push_back(i <= bytes.size() ? kDigits[digit] : '=');
     }
@@ -29,7 +29,7 @@ bool decode_group(std::string_view digits, std::string& bytes) {
         value = value << 6U | static_cast<unsigned>(number);
     }
     value <<= 6U * padding;
-    for (std::size_t i = 0; i < kGroup - padding; ++i)
+    for (std::size_t i = 0; i < kGroupBytes - padding; ++i)
         bytes.push_back(static_cast<char>(value >> (16U - 8U * i) & 0xffU));
     return (value & ((1U << (8U * padding)) - 1U)) == 0;
 }
@@ -37,15 +37,16 @@ bool decode_group(std::string_view digits, std::string& bytes) {
 }  // namespace
 
 void Base64::add(std::string_view bytes, std::string& text) {
-    while (!remaining_.empty() && remaining_.size() < kGroup && !bytes.empty()) {
+    while (!remaining_.empty() && remaining_.size() < kGroupBytes && !bytes.empty()) {
         remaining_.push_back(bytes.front());
         bytes.remove_prefix(1);
     }
-    if (remaining_.size() == kGroup) {
+    if (remaining_.size() == kGroupBytes) {
         append_group(remaining_, text);
         remaining_.clear();
     }
-    for (; bytes.size() >= kGroup; bytes.remove_prefix(kGroup)) append_group(bytes.substr(0, kGroup), text);
+    for (; bytes.size() >= kGroupBytes; bytes.remove_prefix(kGroupBytes))
+        append_group(bytes.substr(0, kGroupBytes), text);
     remaining_ += bytes;
 }
 
@@ -58,7 +59,7 @@ std::optional<std::string> decode_base64(std::string_view text) {
     constexpr std::size_t kGroupDigits = 4;
     if (text.size() % kGroupDigits != 0) return std::nullopt;
     std::string bytes;
-    bytes.reserve(text.size() / kGroupDigits * kGroup);
+    bytes.reserve(text.size() / kGroupDigits * kGroupBytes);
     for (; !text.empty(); text.remove_prefix(kGroupDigits)) {
         const std::string_view group = text.substr(0, kGroupDigits);
         if (group.find('=') != std::string_view::npos && text.size() > kGroupDigits) return std::nullopt;

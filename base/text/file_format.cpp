@@ -4,7 +4,7 @@
 
 namespace gsim::text {
 
-std::optional<std::string> format_error(double format) {
+std::optional<Error> find_format_error(double format) {
     if (format == kFileFormat) return std::nullopt;
     return fmt::format("'format' is {}; this gsim reads format {}{}", format, kFileFormat,
                        format > kFileFormat ? ", so the file needs a newer gsim" : "");

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "base/error.h"
+
 namespace gsim::text {
 
 /// Format of the files that people keep and of reports (docs/versions.md). It rises if a reader of before
@@ -10,6 +12,6 @@ namespace gsim::text {
 inline constexpr int kFileFormat = 1;
 
 /// Returns an error if a file says that it has another format than kFileFormat.
-std::optional<std::string> format_error(double format);
+std::optional<Error> find_format_error(double format);
 
 }  // namespace gsim::text

@@ -38,4 +38,16 @@ std::string joined(const Range& items, std::string_view separator, fmt::string_v
     return joined(std::begin(items), std::end(items), separator, item_format);
 }
 
+/// Returns the items as a list for a message: "a", "a and b" or "a, b and c", with this conjunction.
+template <typename Range>
+std::string enumerated(const Range& items, std::string_view conjunction) {
+    if (std::size(items) < 2) return joined(items, "");
+    const auto last = std::prev(std::end(items));
+    std::string list = joined(std::begin(items), last, ", ");
+    list += ' ';
+    list += conjunction;
+    list += ' ';
+    return list + joined(last, std::end(items), "");
+}
+
 }  // namespace gsim::text

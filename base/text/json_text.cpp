@@ -12,18 +12,18 @@ namespace gsim::text {
 
 namespace {
 
-constexpr double kUnitsPerOne = 1e9;  // of the last digit shown
+constexpr double kDecimalScale = 1e9;  // of the last digit shown
 
 // Appends `units` billionths with at most 15 digits, for which removing zeros gives the shortest form.
 void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
-    constexpr std::uint32_t kPerOne = 1'000'000'000;
+    constexpr std::uint32_t kBillion = 1'000'000'000;
     if (units < 0) {
         out.push_back('-');
         units = -units;
     }
-    const fmt::format_int integer_part(units / kPerOne);
+    const fmt::format_int integer_part(units / kBillion);
     append_text(out, {integer_part.data(), integer_part.size()});
-    auto fraction = static_cast<std::uint32_t>(units % kPerOne);
+    auto fraction = static_cast<std::uint32_t>(units % kBillion);
     if (fraction == 0) return;
     std::array<char, 10> text{'.'};
     for (std::size_t i = text.size() - 1; i > 0; --i, fraction /= 10) {
@@ -38,12 +38,12 @@ void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
 double rounded(double value) {
     // Beyond 1e6 a double has no more than nine digits after the point anyway.
     if (!std::isfinite(value) || std::abs(value) >= 1e6) return value;
-    return std::round(value * kUnitsPerOne) / kUnitsPerOne + 0.0;
+    return std::round(value * kDecimalScale) / kDecimalScale + 0.0;
 }
 
 void append_number(fmt::memory_buffer& out, double value) {
     if (!std::isfinite(value)) return append_text(out, "null");
-    if (std::abs(value) < 1e6) return append_billionths(out, std::llround(value * kUnitsPerOne));
+    if (std::abs(value) < 1e6) return append_billionths(out, std::llround(value * kDecimalScale));
     text::append_format(out, "{}", value);
 }
 

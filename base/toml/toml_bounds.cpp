@@ -1,6 +1,8 @@
 #include "base/toml/toml_bounds.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,7 +19,7 @@ class TomlScan {
   public:
     explicit TomlScan(std::string_view text) : text_(text) {}
 
-    std::optional<TomlBoundsError> find() {
+    std::optional<Error> find() {
         while (at_ < text_.size()) {
             const std::size_t begin = at_;
             if (const auto message = step(); !message.empty()) return excess(begin, message);
@@ -73,15 +75,15 @@ class TomlScan {
             ++at_;
     }
 
-    TomlBoundsError excess(std::size_t at, std::string message) const {
+    Error excess(std::size_t at, std::string message) const {
         const std::string_view before = text_.substr(0, at);
         const std::size_t line_begin = before.rfind('\n') + 1;  // 0 in the first line
         const std::string_view line_start = before.substr(line_begin);
         const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-        return {1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
-                1 + static_cast<std::size_t>(
-                        std::count_if(line_start.begin(), line_start.end(), starts_character)),
-                std::move(message)};
+        return {std::move(message),
+                1 + static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n')),
+                1 + static_cast<std::uint32_t>(
+                        std::count_if(line_start.begin(), line_start.end(), starts_character))};
     }
 
     std::string_view text_;
@@ -92,9 +94,9 @@ class TomlScan {
 
 }  // namespace
 
-std::optional<TomlBoundsError> find_toml_bounds_error(std::string_view toml_text) {
+std::optional<Error> find_toml_bounds_error(std::string_view toml_text) {
     if (toml_text.size() > kMaxTomlBytes)
-        return TomlBoundsError{.message = fmt::format("files of up to {} MiB are read", kMaxTomlMiB)};
+        return Error(fmt::format("files of up to {} MiB are read", kMaxTomlMiB), 1, 1);
     return TomlScan(toml_text).find();
 }
 

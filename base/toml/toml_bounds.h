@@ -2,8 +2,9 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
+
+#include "base/error.h"
 
 namespace gsim::base {
 
@@ -14,15 +15,9 @@ inline constexpr std::size_t kMaxTomlBrackets = 32;
 /// Max number of parts that a key or a table's name may have, joined by dots.
 inline constexpr std::size_t kMaxTomlKeyParts = 32;
 
-/// Position at which a TOML text exceeds these bounds.
-struct TomlBoundsError {
-    std::size_t line = 1;
-    std::size_t column = 1;  ///< In characters.
-    std::string message;
-};
-
-/// Returns the first such position, found in one pass without a stack. toml++ parses and destroys tables by
-/// recursion, so that a deep text would exhaust its stack.
-std::optional<TomlBoundsError> find_toml_bounds_error(std::string_view toml_text);
+/// Returns an error with the first position at which a TOML text exceeds these bounds; its column is in
+/// characters. The text is read in one pass without a stack. toml++ parses and destroys tables by recursion,
+/// so that a deep text would exhaust its stack.
+std::optional<Error> find_toml_bounds_error(std::string_view toml_text);
 
 }  // namespace gsim::base

@@ -57,20 +57,21 @@ json as_json(const toml::node& node) {
     }
 }
 
-std::optional<std::string> find_nested_error(const ordered_json& value, std::size_t depth) {
+std::optional<Error> find_nested_error(const ordered_json& value, std::size_t depth) {
     if (value.is_structured()) {
         if (depth == kMaxTomlBrackets)
             return fmt::format("lists and objects are nested deeper than {}", kMaxTomlBrackets);
         for (const auto& [key, inner] : value.items()) {
-            if (value.is_object() && !text::is_utf8(key)) return "a key is no UTF-8";
+            if (value.is_object() && !text::is_utf8(key)) return "a key is not UTF-8";
             if (auto error = find_nested_error(inner, depth + 1)) return error;
         }
         return std::nullopt;
     }
-    if (value.is_string() && !text::is_utf8(value.get_ref<const std::string&>())) return "a text is no UTF-8";
-    if (value.is_null()) return "null is no value of TOML; a key is taken away by removing it";
+    if (value.is_string() && !text::is_utf8(value.get_ref<const std::string&>()))
+        return "a string is not UTF-8";
+    if (value.is_null()) return "TOML has no null; remove the key instead";
     if (value.is_number_float() && !std::isfinite(value.get<double>())) return "a number is not finite";
-    if (value.is_binary() || value.is_discarded()) return "there is no such value in TOML";
+    if (value.is_binary() || value.is_discarded()) return "TOML does not support this value";
     return std::nullopt;
 }
 
@@ -97,7 +98,7 @@ bool has_fraction(const ordered_json& value) {
 
 }  // namespace
 
-tl::expected<json, std::string> toml_json(std::string_view toml_text, std::string_view file_name) {
+Result<json> toml_json(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
@@ -121,7 +122,7 @@ std::string toml_value(const ordered_json& value, TomlNumbers numbers) {
     return value.dump();  // true, false, {}
 }
 
-std::optional<std::string> find_value_error(const ordered_json& value) {
+std::optional<Error> find_value_error(const ordered_json& value) {
     return find_nested_error(value, 0);
 }
 

@@ -4,15 +4,14 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/text/json.h"
 
 namespace gsim::base {
 
 /// Returns a document as JSON; dates, and numbers that are not finite, become texts, "inf". The error gives
 /// the position of the first error: "file:line:column: message".
-tl::expected<nlohmann::json, std::string> toml_json(std::string_view toml_text, std::string_view file_name);
+Result<nlohmann::json> toml_json(std::string_view toml_text, std::string_view file_name);
 
 /// Format in which numbers are written.
 enum class TomlNumbers { floats, as_given };  ///< 254 as "254.0"; or as "254".
@@ -20,8 +19,8 @@ enum class TomlNumbers { floats, as_given };  ///< 254 as "254.0"; or as "254".
 /// Returns a value in TOML syntax, on one line.
 std::string toml_value(const nlohmann::ordered_json& value, TomlNumbers numbers);
 
-/// Returns a message that says why TOML has no such value, or nothing if it has.
-std::optional<std::string> find_value_error(const nlohmann::ordered_json& value);
+/// Returns an error if TOML has no such value.
+std::optional<Error> find_value_error(const nlohmann::ordered_json& value);
 
 /// Format of a plain value in a file.
 enum class TomlNumberFormat { integer_spelling, decimal, other };

@@ -17,9 +17,9 @@ void check_format(FirstError& error, toml::table& table) {
     const toml::node* node = table.get("format");
     if (!node) return;
     const auto number = node->value_exact<std::int64_t>();
-    const auto message = number ? text::format_error(static_cast<double>(*number))
-                                : std::optional<std::string>("'format' must be an integer");
-    if (message) error.report(node->source().begin, *message);
+    const auto format_error = number ? text::find_format_error(static_cast<double>(*number))
+                                     : std::optional<Error>("'format' must be an integer");
+    if (format_error) error.report(node->source().begin, format_error->message);
     table.erase("format");
 }
 
@@ -70,7 +70,7 @@ std::optional<std::string_view> TomlSection::find_error(double value, NumberRule
             return std::nullopt;
         case NumberRule::count:
             if (value < 1 || value > kMaxCount || value != std::floor(value))
-                return "a whole number between 1 and 100000";
+                return "an integer between 1 and 100000";
             return std::nullopt;
     }
     return std::nullopt;

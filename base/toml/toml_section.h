@@ -96,7 +96,7 @@ class TomlSection {
     }
     void fail(std::string_view key, std::string_view message) { error_.report(where(key), message); }
     /// Adds the error of a file that this section names.
-    void adopt_error(std::string text) { error_.adopt(std::move(text)); }
+    void add_file_error(std::string text) { error_.adopt(std::move(text)); }
 
     /// Returns the value of `key`, or null; a missing key is an error.
     const toml::node* require(std::string_view key) {
@@ -122,7 +122,7 @@ class TomlSection {
         }
         const double value = *node->value<double>();
         if (const auto error = find_error(value, rule)) {
-            fail(key, fmt::format("'{}' must be {}; it is {}", key, *error, value));
+            fail(key, fmt::format("'{}' must be {}, not {}", key, *error, value));
             return fallback;
         }
         return value;
@@ -177,7 +177,7 @@ class TomlSection {
         for (const toml::node& element : *array) {
             if (!element.is_table()) {
                 error_.report(element.source().begin,
-                              fmt::format("'{}' must hold tables only, each under [[{}]]", key, key));
+                              fmt::format("'{}' must contain only tables, each under [[{}]]", key, key));
             } else {
                 found.push_back(element.as_table());
             }
@@ -193,7 +193,7 @@ class TomlSection {
         if (std::find(known_keys.begin(), known_keys.end(), name) != known_keys.end()) return;
         const auto nearest = text::nearest_name(name, known_keys);
         const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                         : fmt::format("it may hold: {}", text::joined(known_keys, ", "));
+                                         : fmt::format("known keys: {}", text::joined(known_keys, ", "));
         error_.report(key.source().begin, fmt::format("unknown key '{}' in {}; {}", name, title_, hint));
     }
 

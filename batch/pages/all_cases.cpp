@@ -45,7 +45,7 @@ std::vector<std::string> case_row(const Case& of, const std::string& page, bool 
          has_both_times && of.before->time_s != of.now->time_s ? difference(of.before->time_s, of.now->time_s)
                                                                : std::string(),
          count(of.now->violations), count(of.now->collisions), count(of.now->process_findings),
-         of.is_reused ? "found again" : "run anew"});
+         of.is_reused ? "reused" : "new run"});
     return row;
 }
 
@@ -67,8 +67,8 @@ std::string cases_text(const NightlyReport& report, std::size_t part) {
     const bool with_settings = has_settings(report);
     std::vector<std::string_view> columns{"Program", "Machine"};
     if (with_settings) columns.emplace_back("Settings");
-    columns.insert(columns.end(), {"Outcome", "Time, s", "Batch before, s", "Difference", "Of limits",
-                                   "Collisions", "Of the process", "Run"});
+    columns.insert(columns.end(), {"Outcome", "Time, s", "Previous batch, s", "Difference",
+                                   "Limit violations", "Collisions", "Process errors", "Run"});
     HtmlTable table("All runs", columns);
     std::size_t row = 0;
     for (const ProgramCases& program : report.programs) {

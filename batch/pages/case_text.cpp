@@ -19,8 +19,7 @@ using nlohmann::ordered_json;
 constexpr std::size_t kMaxFiles = 100;  // of those that a run has read
 
 std::string time_with_interval(const Case& of, const RunDetails& run) {
-    if (!of.now->has_time())
-        return fmt::format("{} s, where it ended before its end", seconds(of.now->time_s));
+    if (!of.now->has_time()) return fmt::format("{} s, but it ended early", seconds(of.now->time_s));
     std::string text = seconds(of.now->time_s) + " s";
     if (run.min_s && run.max_s)
         text += fmt::format(" (95 %: {} to {} s)", seconds(*run.min_s), seconds(*run.max_s));
@@ -40,15 +39,15 @@ std::string extents_text(const std::string& extents) {
 }
 
 std::string metrics_list(const CaseDetails& details) {
-    const RunFacts& facts = *details.of->now;
+    const RunSummary& facts = *details.of->now;
     const RunDetails& run = details.now;
     std::vector<std::pair<std::string_view, std::string>> all{{"Outcome", outcome(facts)}};
-    if (!facts.is_clean()) all.emplace_back("First fault", first_error(facts));
+    if (!facts.is_clean()) all.emplace_back("First error", first_error(facts));
     all.emplace_back("Cycle time", time_with_interval(*details.of, run));
     all.emplace_back("of which",
                      fmt::format("{} s in rapid, {} s at feed, {} s dwelling", seconds(run.rapid_s),
                                  seconds(run.feed_s), seconds(run.dwell_s)));
-    all.emplace_back("Way",
+    all.emplace_back("Distance",
                      fmt::format("{:.1f} mm in rapid, {:.1f} mm at feed, {:.1f} mm with the process on",
                                  run.rapid_mm, run.feed_mm, run.process_on_mm));
     all.emplace_back("Blocks, moves", fmt::format("{}, {}", run.blocks, run.moves));
@@ -57,13 +56,13 @@ std::string metrics_list(const CaseDetails& details) {
     if (run.energy_j)
         all.emplace_back("Energy of the motors", fmt::format("{:.6g} kJ", *run.energy_j / 1000));
     all.emplace_back("Findings",
-                     fmt::format("{} of limits, {} collisions, {} of the process; {} warnings",
+                     fmt::format("{} limit violations, {} collisions, {} process errors; {} warnings",
                                  facts.violations, facts.collisions, facts.process_findings, facts.warnings));
     if (!run.machine_name.empty()) all.emplace_back("Machine", escape_html(run.machine_name));
-    if (!run.controller.empty()) all.emplace_back("Control", escape_html(run.controller));
+    if (!run.controller.empty()) all.emplace_back("Controller", escape_html(run.controller));
     if (run.options != "{}") all.emplace_back("Options", settings_text(run.options));
     all.emplace_back("Run", fmt::format("{} by gsim {}{}", time_markup(run.run_at), escape_html(run.version),
-                                        details.of->is_reused ? "; found again since" : ""));
+                                        details.of->is_reused ? "; reused since" : ""));
     return definition_list(all);
 }
 
@@ -85,7 +84,7 @@ std::string finding_text(const ordered_json& finding) {
         text_at(finding, "code"), hint.empty() ? hint : " " + hint);
 }
 
-std::string findings_section(const RunFacts& facts, const RunDetails& run) {
+std::string findings_section(const RunSummary& facts, const RunDetails& run) {
     std::string items;
     std::int64_t count = 0;
     for (const ordered_json& finding : text::try_parse_json<ordered_json>(run.findings)) {
@@ -109,32 +108,31 @@ std::string change_text(const NightlyReport& report, const CaseDetails& details)
     if (of.before->has_time()) text += fmt::format(", {} s", seconds(of.before->time_s));
     if (of.before->has_time() && of.now->has_time())
         text += fmt::format("; now {}", difference(of.before->time_s, of.now->time_s));
-    return text + fmt::format(".<br/>Run anew for: {}.</p>\n", reasons_text(details.rerun_reasons));
+    return text + fmt::format(".<br/>Reason for the new run: {}.</p>\n", reasons_text(details.rerun_reasons));
 }
 
 std::string files_text(const RunDetails& run) {
-    if (run.files.empty()) return "<p>What it has read is not known.</p>\n";
-    HtmlTable table("Files that it has read", {"File", "SHA-256"});
+    if (run.files.empty()) return "<p>The files that the run read are unknown.</p>\n";
+    HtmlTable table("Files that the run read", {"File", "SHA-256"});
     for (std::size_t i = 0; i < std::min(run.files.size(), kMaxFiles); ++i)
         table.add({escape_html(run.files[i].name),
                    run.files[i].sha256.empty()
-                       ? std::string("looked for, and not there")
+                       ? std::string("not found by the run")
                        : fmt::format("<code>{}</code>", escape_html(run.files[i].sha256))});
     std::string text = table.text();
     if (run.files.size() > kMaxFiles)
-        text += fmt::format("<p>{} more are left out here.</p>\n", run.files.size() - kMaxFiles);
+        text += fmt::format("<p>{} more are not shown here.</p>\n", run.files.size() - kMaxFiles);
     return text;
 }
 
-std::string command_text(std::string_view what, const OpenCommand& command) {
+std::string command_text(std::string_view what, const ViewCommand& command) {
     if (command.words.empty()) return {};
     std::string text = fmt::format("<p>{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n", what,
                                    escape_html(shell_line(command.words)));
     if (command.left_out.empty()) return text;
     std::string names;
     for (const std::string& name : command.left_out) names += (names.empty() ? "" : ", ") + escape_html(name);
-    return text +
-           fmt::format("<p class=\"soft\">It has no word for {}: the run there is another one.</p>\n", names);
+    return text + fmt::format("<p class=\"soft\">It has no option for {}, so that run differs.</p>\n", names);
 }
 
 /// Embeds the picture as a separate document, because its names and styles must stay separate, too.
@@ -149,21 +147,21 @@ std::string picture_text(const RunDetails& run) {
 }
 
 std::string view_commands(const CaseDetails& details) {
-    std::string text = "<h3>See it run</h3>\n";
+    std::string text = "<h3>View the run</h3>\n";
     if (!details.view.empty()) text += fmt::format("<p>{}</p>\n", link(details.view, "The finished run"));
     if (!details.view_error.empty())
-        text += fmt::format("<p class=\"soft\">There is no page of the finished run: {}.</p>\n",
+        text += fmt::format("<p class=\"soft\">The page of the finished run is not available: {}.</p>\n",
                             escape_html(details.view_error));
     return text +
-           command_text("In the studio, from where the batch was run:",
+           command_text("In the Studio, from the folder in which the batch was run:",
                         studio_command(run_inputs(details.now))) +
-           command_text("As a page that can be sent:", view_command(run_inputs(details.now)));
+           command_text("As a standalone page:", view_command(run_inputs(details.now)));
 }
 
 }  // namespace
 
 std::string reasons_text(const std::vector<std::string>& reasons) {
-    if (reasons.empty()) return "nothing that is known of";
+    if (reasons.empty()) return "unknown";
     std::string text;
     for (const std::string& reason : reasons) text += (text.empty() ? "" : ", ") + escape_html(reason);
     return text;
@@ -176,7 +174,7 @@ std::string case_text(const NightlyReport& report, const CaseDetails& details) {
     return fmt::format("<section id=\"case-{}\"><h2>{}</h2>\n", of.position + 1, title) +
            metrics_list(details) + picture_text(details.now) + change_text(report, details) +
            findings_section(*of.now, details.now) + "<h3>History</h3>\n" + history_text(report, of) +
-           view_commands(details) + "<h3>Files that it has read</h3>\n" + files_text(details.now) +
+           view_commands(details) + "<h3>Files that the run read</h3>\n" + files_text(details.now) +
            "</section>\n";
 }
 

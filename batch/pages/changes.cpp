@@ -21,7 +21,7 @@ bool has_different_time(const Case& of) {
     return std::abs(time_difference_s(of)) > kTimeTolerance * std::max(of.now->time_s, of.before->time_s);
 }
 
-bool has_different_counts(const RunFacts& before, const RunFacts& now) {
+bool has_different_counts(const RunSummary& before, const RunSummary& now) {
     return before.status != now.status || before.cause != now.cause || before.violations != now.violations ||
            before.collisions != now.collisions || before.process_findings != now.process_findings ||
            before.warnings != now.warnings;
@@ -36,7 +36,7 @@ std::map<std::string, int> count_findings(const std::string& findings) {
     return counts;
 }
 
-tl::expected<bool, std::string> has_different_findings(const Case& of, RunHistory& run_history) {
+Result<bool> has_different_findings(const Case& of, RunHistory& run_history) {
     if (has_different_counts(*of.before, *of.now)) return true;
     const auto before = run_history.read(of.before->id);
     if (!before) return tl::unexpected(before.error());
@@ -48,12 +48,11 @@ tl::expected<bool, std::string> has_different_findings(const Case& of, RunHistor
 
 std::string describe_file_change(const std::string& file, const std::string& before, const std::string& now) {
     return fmt::format("'{}'{}", file,
-                       before.empty() ? " is there now" : (now.empty() ? " is there no more" : ""));
+                       before.empty() ? " now exists" : (now.empty() ? " no longer exists" : ""));
 }
 
 /// Classifies a case that was run again.
-tl::expected<void, std::string> classify_case(Changes& changes, std::size_t position, const Case& of,
-                                              RunHistory& run_history) {
+Result<void> classify_case(Changes& changes, std::size_t position, const Case& of, RunHistory& run_history) {
     bool is_same = false;
     if (of.before->is_clean() != of.now->is_clean()) {
         (of.now->is_clean() ? changes.fixed : changes.newly_failing).push_back(position);
@@ -77,7 +76,7 @@ double time_difference_s(const Case& of) {
     return of.now->time_s - of.before->time_s;
 }
 
-tl::expected<Changes, std::string> find_changes(const NightlyReport& report, RunHistory& run_history) {
+Result<Changes> find_changes(const NightlyReport& report, RunHistory& run_history) {
     Changes changes;
     if (!report.before) return changes;
     for (std::size_t i = 0; i < report.cases.size(); ++i) {
@@ -115,7 +114,7 @@ std::vector<std::string> rerun_reasons(const RunDetails& before, const RunDetail
         if (file.name != now.program && !is_machine)
             reasons.push_back(describe_file_change(file.name, other->second, file.sha256));
     }
-    if (before.version != now.version) reasons.emplace_back("gsim itself");
+    if (before.version != now.version) reasons.emplace_back("the version of gsim");
     return reasons;
 }
 

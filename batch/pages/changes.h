@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/pages/nightly_report.h"
 #include "batch/pages/run_history.h"
 
@@ -22,7 +21,7 @@ struct Changes {
 };
 
 /// Finds the changes; empty if no previous batch exists.
-tl::expected<Changes, std::string> find_changes(const NightlyReport& report, RunHistory& run_history);
+Result<Changes> find_changes(const NightlyReport& report, RunHistory& run_history);
 
 /// Returns the time now minus that before, if both have one.
 double time_difference_s(const Case& of);

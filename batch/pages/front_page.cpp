@@ -14,18 +14,18 @@ namespace {
 
 constexpr std::size_t kMaxListedPrograms = 50;  // programs that fail for one cause
 
-std::string plan_label(const BatchFacts& batch) {
-    return batch.plan.empty() ? std::string("programs by the command line") : escape_html(batch.plan);
+std::string plan_label(const BatchSummary& batch) {
+    return batch.plan.empty() ? std::string("programs from the command line") : escape_html(batch.plan);
 }
 
-std::string run_count_text(const BatchFacts& batch) {
+std::string run_count_text(const BatchSummary& batch) {
     if (batch.complete) return fmt::format("all {}", batch.jobs);
-    return fmt::format("<span class=\"bad\">{} of {}</span>: the batch was cut off, or is under way",
+    return fmt::format("<span class=\"bad\">{} of {}</span>: the batch was interrupted, or is running",
                        batch.runs, batch.jobs);
 }
 
 std::string summary_text(const NightlyReport& report) {
-    const BatchFacts& latest = report.latest;
+    const BatchSummary& latest = report.latest;
     double time_s = 0;
     for (const Case& each : report.cases) {
         if (each.now != nullptr && each.now->has_time()) time_s += each.now->time_s;
@@ -33,18 +33,18 @@ std::string summary_text(const NightlyReport& report) {
     return definition_list(
         {{"Batch", fmt::format("{}", latest.id)},
          {"Plan", plan_label(latest)},
-         {"Began", time_markup(latest.started_at)},
+         {"Started", time_markup(latest.started_at)},
          {"Ended",
-          latest.ended_at.empty() ? std::string("not yet, or cut off") : time_markup(latest.ended_at)},
+          latest.ended_at.empty() ? std::string("not yet, or interrupted") : time_markup(latest.ended_at)},
          {"Version", escape_html(latest.version)},
          {"Programs", fmt::format("{}", report.programs.size())},
          {"Runs", run_count_text(latest)},
-         {"Without a fault", fmt::format("{}", latest.runs - latest.failed)},
+         {"Without errors", fmt::format("{}", latest.runs - latest.failed)},
          {"Failed",
           latest.failed > 0 ? fmt::format("<span class=\"bad\">{}</span>", latest.failed) : std::string("0")},
-         {"Run anew", fmt::format("{}", latest.runs - latest.reused)},
-         {"Found again", fmt::format("{}", latest.reused)},
-         {"Time of all", seconds(time_s) + " s"}});
+         {"New runs", fmt::format("{}", latest.runs - latest.reused)},
+         {"Reused", fmt::format("{}", latest.reused)},
+         {"Total time", seconds(time_s) + " s"}});
 }
 
 /// Lists of changes, one after the other.
@@ -56,15 +56,15 @@ class ChangesText {
     }
 
     std::string text() const {
-        if (!report_.before) return "<h2>What has changed</h2>\n<p>There is no batch before this one.</p>\n";
-        std::string text = fmt::format("<h2>What has changed since {}</h2>\n", batch_label(*report_.before));
+        if (!report_.before) return "<h2>Changes</h2>\n<p>There is no earlier batch.</p>\n";
+        std::string text = fmt::format("<h2>Changes since {}</h2>\n", batch_label(*report_.before));
         if (report_.before->plan != report_.latest.plan)
-            text += fmt::format("<p>That batch was of another plan: {}.</p>\n", plan_label(*report_.before));
+            text += fmt::format("<p>That batch used another plan: {}.</p>\n", plan_label(*report_.before));
         if (!report_.before->complete)
-            text += fmt::format("<p>Of that batch there are {} of {} runs.</p>\n", report_.before->runs,
+            text += fmt::format("<p>That batch has {} of {} runs.</p>\n", report_.before->runs,
                                 report_.before->jobs);
         if (report_.before->version != report_.latest.version)
-            text += fmt::format("<p>gsim itself is another one: {}, before {}.</p>\n",
+            text += fmt::format("<p>The version of gsim has changed: {}, before {}.</p>\n",
                                 escape_html(report_.latest.version), escape_html(report_.before->version));
         return text + counts() + newly_failing() + fixed() + changed_times() + changed_findings() + added() +
                removed();
@@ -80,12 +80,12 @@ class ChangesText {
                         : fmt::format("<li><a href=\"#{}\">{} {}</a></li>\n", anchor, positions.size(), what);
         };
         add(changes_.newly_failing, "newly-failing", "newly failing");
-        add(changes_.fixed, "mended", "mended");
-        add(changes_.changed_times, "times", "with another time");
-        add(changes_.changed_findings, "findings", "with another cause or other findings");
+        add(changes_.fixed, "fixed", "fixed");
+        add(changes_.changed_times, "times", "with a different time");
+        add(changes_.changed_findings, "findings", "with a different cause or different findings");
         add(changes_.added, "new", "new");
-        add(changes_.removed, "gone", "gone");
-        return text + fmt::format("<li>{} as before</li>\n</ul>\n", changes_.same);
+        add(changes_.removed, "removed", "removed");
+        return text + fmt::format("<li>{} unchanged</li>\n</ul>\n", changes_.same);
     }
 
     /// Returns a list with its heading: `cells` returns the cells after program and machine.
@@ -104,27 +104,29 @@ class ChangesText {
         }
         std::string text = fmt::format("<h3 id=\"{}\">{}</h3>\n", anchor, title) + table.text();
         if (positions.size() > kMaxListed)
-            text += fmt::format("<p>{} more are left out here.</p>\n", positions.size() - kMaxListed);
+            text += fmt::format("<p>{} more are not shown here.</p>\n", positions.size() - kMaxListed);
         return text;
     }
 
     std::string newly_failing() const {
         return list(changes_.newly_failing, "newly-failing", "Newly failing",
-                    {"Outcome", "First fault", "Run anew for"}, [&](const Case& of, std::size_t position) {
+                    {"Outcome", "First error", "Reason for the new run"},
+                    [&](const Case& of, std::size_t position) {
                         return std::vector{outcome(*of.now), first_error(*of.now), reason(position)};
                     });
     }
 
     std::string fixed() const {
-        return list(changes_.fixed, "mended", "Mended", {"Before", "First fault before", "Run anew for"},
+        return list(changes_.fixed, "fixed", "Fixed",
+                    {"Before", "Previous first error", "Reason for the new run"},
                     [&](const Case& of, std::size_t position) {
                         return std::vector{outcome(*of.before), first_error(*of.before), reason(position)};
                     });
     }
 
     std::string changed_times() const {
-        return list(changes_.changed_times, "times", "With another time",
-                    {"Before, s", "Now, s", "Difference", "Run anew for"},
+        return list(changes_.changed_times, "times", "With a different time",
+                    {"Before, s", "Now, s", "Difference", "Reason for the new run"},
                     [&](const Case& of, std::size_t position) {
                         return std::vector{time_text(*of.before), time_text(*of.now),
                                            difference(of.before->time_s, of.now->time_s), reason(position)};
@@ -132,16 +134,17 @@ class ChangesText {
     }
 
     std::string changed_findings() const {
-        return list(changes_.changed_findings, "findings", "With another cause or other findings",
-                    {"Before", "Now", "Findings before", "Findings now", "First fault", "Run anew for"},
-                    [&](const Case& of, std::size_t position) {
-                        return std::vector{outcome(*of.before),
-                                           outcome(*of.now),
-                                           fmt::format("{}", of.before->findings()),
-                                           fmt::format("{}", of.now->findings()),
-                                           first_error(*of.now),
-                                           reason(position)};
-                    });
+        return list(
+            changes_.changed_findings, "findings", "With a different cause or different findings",
+            {"Before", "Now", "Findings before", "Findings now", "First error", "Reason for the new run"},
+            [&](const Case& of, std::size_t position) {
+                return std::vector{outcome(*of.before),
+                                   outcome(*of.now),
+                                   fmt::format("{}", of.before->findings()),
+                                   fmt::format("{}", of.now->findings()),
+                                   first_error(*of.now),
+                                   reason(position)};
+            });
     }
 
     std::string added() const {
@@ -152,7 +155,8 @@ class ChangesText {
 
     /// In an incomplete batch they may still be run.
     std::string removed() const {
-        return list(changes_.removed, "gone", report_.latest.complete ? "Gone" : "Gone, or not run yet",
+        return list(changes_.removed, "removed",
+                    report_.latest.complete ? "Removed" : "Removed, or not run yet",
                     {"Outcome before", "Time before, s"}, [](const Case& of, std::size_t) {
                         return std::vector{outcome(*of.before), time_text(*of.before)};
                     });
@@ -183,7 +187,7 @@ class ChangesText {
 /// Cases that fail for one cause.
 struct FailingCases {
     std::size_t runs = 0;
-    const RunFacts* example = nullptr;
+    const RunSummary* example = nullptr;
     std::vector<const ProgramCases*> programs = {};
     std::vector<const Case*> first_cases = {};  ///< The first of each program.
 };
@@ -203,12 +207,12 @@ std::string program_list(const FailingCases& failing) {
 }
 
 std::string failing_text(const NightlyReport& report) {
-    std::map<std::pair<std::string, std::string>, FailingCases> by_cause;
+    std::map<std::pair<std::string, std::string>, FailingCases> cases_by_cause;
     for (const ProgramCases& program : report.programs) {
         for (const std::size_t position : program.cases) {
             const Case& of = report.cases[position];
             if (of.now->is_clean()) continue;
-            FailingCases& failing = by_cause[{of.now->status, of.now->cause}];
+            FailingCases& failing = cases_by_cause[{of.now->status, of.now->cause}];
             ++failing.runs;
             failing.example = of.now;
             if (!failing.programs.empty() && failing.programs.back() == &program) continue;
@@ -216,11 +220,11 @@ std::string failing_text(const NightlyReport& report) {
             failing.first_cases.push_back(&of);
         }
     }
-    std::string text = "<h2>What fails</h2>\n";
-    if (by_cause.empty()) return text + "<p>Nothing fails.</p>\n";
+    std::string text = "<h2>Failures</h2>\n";
+    if (cases_by_cause.empty()) return text + "<p>No failures.</p>\n";
     std::vector<const FailingCases*> causes;
-    causes.reserve(by_cause.size());
-    for (const auto& [cause, failing] : by_cause) causes.push_back(&failing);
+    causes.reserve(cases_by_cause.size());
+    for (const auto& [cause, failing] : cases_by_cause) causes.push_back(&failing);
     std::stable_sort(causes.begin(), causes.end(),
                      [](const auto* a, const auto* b) { return a->runs > b->runs; });
     for (const FailingCases* failing : causes)
@@ -234,7 +238,7 @@ std::string failing_text(const NightlyReport& report) {
 
 std::string front_page(const NightlyReport& report, const Changes& changes,
                        const ReasonsByCase& reasons_by_case) {
-    const BatchFacts& latest = report.latest;
+    const BatchSummary& latest = report.latest;
     const std::string plan = latest.plan.empty() ? std::string() : latest.plan + ", ";
     return full_page(kFrontPage, "Check of " + plan + plain_batch_label(latest), "",
                      summary_text(report) + ChangesText(report, changes, reasons_by_case).text() +

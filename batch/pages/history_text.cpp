@@ -46,7 +46,7 @@ class Axes {
 std::string point_mark(const NightlyReport& report, const HistoryEntry& entry, const Axes& axes) {
     const bool has_time = entry.run->has_time();
     const double x = axes.x(entry.batch), y = has_time ? axes.y(entry.run->time_s) : kHeight_px - kBottom_px;
-    const BatchFacts& batch = report.batches[entry.batch];
+    const BatchSummary& batch = report.batches[entry.batch];
     const std::string title = fmt::format(
         "<title>batch {}, {}: {}{}</title>", batch.id, escape_html(batch.started_at.substr(0, 10)),
         entry.run->is_clean() ? std::string() : escape_html(entry.run->status) + ' ',
@@ -68,9 +68,8 @@ std::string times_picture(const NightlyReport& report, const Case& of) {
     }
     return fmt::format(
         "<svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"Times of {2}: {3} to {4} s\"><polyline "
-        "points=\"{5}\"/>{6}<text x=\"{7}\" y=\"12\">{4} s</text><text x=\"{7}\" y=\"{8}\">{3} s at the "
-        "lowest, "
-        "batch {9} to {10}; a cross: it failed</text></svg>\n",
+        "points=\"{5}\"/>{6}<text x=\"{7}\" y=\"12\">{4} s</text><text x=\"{7}\" y=\"{8}\">min {3} s, batch "
+        "{9} to {10}; a cross: failed run</text></svg>\n",
         kWidth_px, kHeight_px, count_text(of.history.size(), "batch", "batches"), seconds(axes.min_s()),
         seconds(axes.max_s()), points, marks, kSide_px, kHeight_px - 6, report.batches.front().id,
         report.batches.back().id);
@@ -82,16 +81,16 @@ std::string range_text(const std::string& first, const std::string& last) {
 
 /// Returns the table. A run that the following batches reused is one row.
 std::string history_table(const NightlyReport& report, const Case& of) {
-    HtmlTable table("History", {"Batch", "Began", "Outcome", "Time, s", "Against the row below"});
+    HtmlTable table("History", {"Batch", "Started", "Outcome", "Time, s", "Difference to the row below"});
     const auto& history = of.history;
     for (std::size_t end = history.size(); end > 0;) {
         std::size_t begin = end - 1;
         while (begin > 0 && history[begin - 1].run == history[end - 1].run) --begin;
-        const RunFacts& run = *history[begin].run;
-        const RunFacts* below = begin > 0 ? history[begin - 1].run : nullptr;
+        const RunSummary& run = *history[begin].run;
+        const RunSummary* below = begin > 0 ? history[begin - 1].run : nullptr;
         const bool is_compared = below != nullptr && run.has_time() && below->has_time();
-        const BatchFacts& first = report.batches[history[begin].batch];
-        const BatchFacts& last = report.batches[history[end - 1].batch];
+        const BatchSummary& first = report.batches[history[begin].batch];
+        const BatchSummary& last = report.batches[history[end - 1].batch];
         table.add({range_text(fmt::format("{}", first.id), fmt::format("{}", last.id)),
                    range_text(time_markup(first.started_at), time_markup(last.started_at)), outcome(run),
                    time_text(run), is_compared ? difference(below->time_s, run.time_s) : std::string()});
@@ -105,14 +104,14 @@ std::string last_clean_text(const NightlyReport& report, const Case& of) {
                                              [](const HistoryEntry& entry) { return entry.run->is_clean(); });
     if (last_clean_run == of.history.rend()) {
         const bool is_full_history = report.older_batches == 0;
-        return is_full_history ? "It has not been without a fault in any batch of these results."
-                               : fmt::format("It has not been without a fault in the last {} batches.",
-                                             report.batches.size());
+        return is_full_history
+                   ? "It has had errors in all batches of these results."
+                   : fmt::format("It has had errors in all of the last {} batches.", report.batches.size());
     }
-    const BatchFacts& batch = report.batches[last_clean_run->batch];
+    const BatchSummary& batch = report.batches[last_clean_run->batch];
     return batch.id == report.latest.id
-               ? std::string("It is without a fault in the latest batch.")
-               : fmt::format("It was last without a fault in {}.", batch_label(batch));
+               ? std::string("It has no errors in the latest batch.")
+               : fmt::format("It was last without errors in {}.", batch_label(batch));
 }
 
 }  // namespace
@@ -121,7 +120,7 @@ std::string history_text(const NightlyReport& report, const Case& of) {
     std::string text = fmt::format("<p>{}</p>\n", last_clean_text(report, of));
     if (of.history.size() > 1) text += times_picture(report, of) + history_table(report, of);
     if (report.older_batches > 0)
-        text += fmt::format("<p class=\"soft\">Of {} batches these are the last {}.</p>\n",
+        text += fmt::format("<p class=\"soft\">Of {} batches, only the last {} are shown.</p>\n",
                             report.older_batches + static_cast<std::int64_t>(report.batches.size()),
                             report.batches.size());
     return text;

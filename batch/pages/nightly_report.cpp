@@ -10,8 +10,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr std::int64_t kMaxBatches = 90;  // of a history
 constexpr std::size_t kMaxDetails = 40;   // of a program's page
 constexpr std::size_t kNoCase = static_cast<std::size_t>(-1);
@@ -26,13 +24,13 @@ class NightlyReportReader {
   public:
     explicit NightlyReportReader(Database& results) : results_(results) {}
 
-    tl::expected<NightlyReport, std::string> read(std::int64_t since) {
+    Result<NightlyReport> read(std::int64_t since) {
         auto run = results_.prepare(kRunQuery);
         if (!run) return Unexpected(run.error());
         run_ = *std::move(run);
         auto batches = read_batches(fmt::format("ORDER BY id DESC LIMIT {}", kMaxBatches));
         if (!batches) return Unexpected(batches.error());
-        if (batches->empty()) return Unexpected(fmt::format("there is no batch in '{}'", results_.file()));
+        if (batches->empty()) return Unexpected(fmt::format("'{}' contains no batch", results_.file()));
         auto before = find_previous_batch(*batches, since);
         if (!before) return Unexpected(before.error());
         NightlyReport report(batches->front());
@@ -48,10 +46,10 @@ class NightlyReportReader {
     }
 
   private:
-    tl::expected<std::vector<BatchFacts>, std::string> read_batches(const std::string& row_condition) {
+    Result<std::vector<BatchSummary>> read_batches(const std::string& row_condition) {
         auto rows = results_.prepare(fmt::format("{}{}", kBatchQuery, row_condition));
         if (!rows) return Unexpected(rows.error());
-        std::vector<BatchFacts> batches;
+        std::vector<BatchSummary> batches;
         while (true) {
             const auto row = rows->step();
             if (!row) return Unexpected(row.error());
@@ -66,8 +64,8 @@ class NightlyReportReader {
         }
     }
 
-    tl::expected<std::optional<BatchFacts>, std::string> find_previous_batch(
-        const std::vector<BatchFacts>& batches, std::int64_t since) {
+    Result<std::optional<BatchSummary>> find_previous_batch(const std::vector<BatchSummary>& batches,
+                                                            std::int64_t since) {
         if (since == 0) return batches.size() > 1 ? std::optional(batches[1]) : std::nullopt;
         auto found = read_batches(fmt::format("WHERE id = {}", since));
         if (!found) return Unexpected(found.error());
@@ -77,7 +75,7 @@ class NightlyReportReader {
         return found->front();
     }
 
-    SqlResult count_older_batches(NightlyReport& report) {
+    Result<void> count_older_batches(NightlyReport& report) {
         auto count = results_.prepare("SELECT count(*) FROM batch");
         if (!count) return Unexpected(count.error());
         const auto row = count->step();
@@ -86,13 +84,13 @@ class NightlyReportReader {
         return {};
     }
 
-    SqlResult read_compared_runs(NightlyReport& report) {
-        const auto now = [&](std::size_t position, const RunFacts& run, bool reused) {
+    Result<void> read_compared_runs(NightlyReport& report) {
+        const auto now = [&](std::size_t position, const RunSummary& run, bool reused) {
             Case& of = report.cases[position];
             if (of.now == nullptr) of.is_reused = reused;
             if (of.now == nullptr) of.now = &run;
         };
-        const auto before = [&](std::size_t position, const RunFacts& run, bool) {
+        const auto before = [&](std::size_t position, const RunSummary& run, bool) {
             Case& of = report.cases[position];
             if (of.before == nullptr) of.before = &run;
         };
@@ -101,10 +99,10 @@ class NightlyReportReader {
         return for_each_run(report, *report.before, true, before);
     }
 
-    SqlResult read_history(NightlyReport& report) {
+    Result<void> read_history(NightlyReport& report) {
         for (std::size_t i = 0; i < report.batches.size(); ++i) {
             auto result = for_each_run(report, report.batches[i], false,
-                                       [&](std::size_t position, const RunFacts& run, bool) {
+                                       [&](std::size_t position, const RunSummary& run, bool) {
                                            auto& history = report.cases[position].history;
                                            if (history.empty() || history.back().batch != i)
                                                history.push_back({i, &run});
@@ -116,8 +114,8 @@ class NightlyReportReader {
 
     /// Calls `take` with case and run of each job of a batch. Unknown cases are added or left out.
     template <typename Visitor>
-    SqlResult for_each_run(NightlyReport& report, BatchFacts& batch, bool add_missing,
-                           const Visitor& on_run) {
+    Result<void> for_each_run(NightlyReport& report, BatchSummary& batch, bool add_missing,
+                              const Visitor& on_run) {
         auto rows = results_.prepare("SELECT run, reused FROM batch_run WHERE batch = ? ORDER BY job");
         if (!rows) return Unexpected(rows.error());
         rows->bind(1, batch.id);
@@ -130,7 +128,7 @@ class NightlyReportReader {
             const bool reused = rows->integer(1) != 0;
             const auto position = find_case(report, id, add_missing);
             if (!position) return Unexpected(position.error());
-            const RunFacts& run = report.runs.at(id);
+            const RunSummary& run = report.runs.at(id);
             ++batch.runs;
             batch.failed += run.is_clean() ? 0 : 1;
             batch.reused += reused ? 1 : 0;
@@ -139,13 +137,13 @@ class NightlyReportReader {
     }
 
     /// Returns the case index. A run is read once, for any number of batches.
-    tl::expected<std::size_t, std::string> find_case(NightlyReport& report, std::int64_t id,
-                                                     bool add_if_missing) {
+    Result<std::size_t> find_case(NightlyReport& report, std::int64_t id, bool add_if_missing) {
         if (const auto known = case_by_run_.find(id); known != case_by_run_.end()) return known->second;
         run_->bind(1, id);
         const auto row = run_->step();
         if (!row || !*row)
-            return Unexpected(row ? fmt::format("run {} is not in '{}'", id, results_.file()) : row.error());
+            return Unexpected(row ? fmt::format("run {} is not in '{}'", id, results_.file())
+                                  : row.error().message);
         const auto text = [&](int column) { return std::string(run_->text(column)); };
         report.runs[id] = {.id = id,
                            .status = text(3),
@@ -205,7 +203,7 @@ class NightlyReportReader {
 
 }  // namespace
 
-tl::expected<NightlyReport, std::string> read_nightly_report(Database& results, std::int64_t since) {
+Result<NightlyReport> read_nightly_report(Database& results, std::int64_t since) {
     return NightlyReportReader(results).read(since);
 }
 

@@ -7,14 +7,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/store/sqlite.h"
 
 namespace gsim::batch {
 
 /// Data of a batch from its database row and its runs.
-struct BatchFacts {
+struct BatchSummary {
     std::int64_t id = 0;
     std::string plan, version;
     std::string started_at, ended_at;  ///< UTC, as of ISO 8601; empty: it has not ended, or was cut off.
@@ -24,7 +23,7 @@ struct BatchFacts {
 };
 
 /// Results of a run that are compared between runs.
-struct RunFacts {
+struct RunSummary {
     std::int64_t id = 0;
     std::string status, cause, message, file;
     std::int64_t line = 0;
@@ -40,14 +39,14 @@ struct RunFacts {
 /// Run of a case in a batch.
 struct HistoryEntry {
     std::size_t batch = 0;  ///< Index in NightlyReport::batches.
-    const RunFacts* run = nullptr;
+    const RunSummary* run = nullptr;
 };
 
 /// Program on a machine in one variant of the settings: the unit by which two batches are compared.
 struct Case {
     std::string program, machine, settings;  ///< Settings as JSON.
-    const RunFacts* now = nullptr;           ///< Null: the case is gone.
-    const RunFacts* before = nullptr;        ///< Null: the case is new.
+    const RunSummary* now = nullptr;         ///< Null: the case is gone.
+    const RunSummary* before = nullptr;      ///< Null: the case is new.
     bool is_reused = false;
     std::size_t position = 0;                ///< Among those of its program, from 0.
     bool has_details = false;                ///< On its program's page, which has space for some.
@@ -63,15 +62,15 @@ struct ProgramCases {
 
 /// Comparison of the latest batch with an earlier one, and its history.
 struct NightlyReport {
-    BatchFacts latest;
-    std::optional<BatchFacts> before = std::nullopt;
-    std::vector<BatchFacts> batches = {};     ///< The last ones with the latest, in the order of time.
+    BatchSummary latest;
+    std::optional<BatchSummary> before = std::nullopt;
+    std::vector<BatchSummary> batches = {};   ///< The last ones with the latest, in the order of time.
     std::int64_t older_batches = 0;           ///< That are left out of these.
     std::vector<Case> cases = {};             ///< In the order of the jobs, followed by those that are gone.
     std::vector<ProgramCases> programs = {};  ///< For the latest batch, in the order of the jobs.
-    std::unordered_map<std::int64_t, RunFacts> runs = {};  ///< To which cases point.
+    std::unordered_map<std::int64_t, RunSummary> runs = {};  ///< To which cases point.
 
-    explicit NightlyReport(BatchFacts of) : latest(std::move(of)) {}
+    explicit NightlyReport(BatchSummary of) : latest(std::move(of)) {}
     NightlyReport(const NightlyReport&) = delete;
     NightlyReport(NightlyReport&&) = default;
     NightlyReport& operator=(const NightlyReport&) = delete;
@@ -81,6 +80,6 @@ struct NightlyReport {
 
 /// Reads the nightly report; `since` is the number of the previous batch, 0: the last one before, if any. The
 /// error is a message: no batch, or none of that number before the latest.
-tl::expected<NightlyReport, std::string> read_nightly_report(Database& results, std::int64_t since);
+Result<NightlyReport> read_nightly_report(Database& results, std::int64_t since);
 
 }  // namespace gsim::batch

@@ -65,7 +65,7 @@ std::string seconds(double time_s) {
     return fmt::format("{:.3f}", time_s);
 }
 
-std::string time_text(const RunFacts& run) {
+std::string time_text(const RunSummary& run) {
     return run.has_time() ? seconds(run.time_s) : std::string(kDash);
 }
 
@@ -79,23 +79,23 @@ std::string count_text(std::size_t count, std::string_view one, std::string_view
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-std::string batch_label(const BatchFacts& batch) {
+std::string batch_label(const BatchSummary& batch) {
     return fmt::format("batch {} ({})", batch.id, time_markup(batch.started_at));
 }
 
-std::string plain_batch_label(const BatchFacts& batch) {
+std::string plain_batch_label(const BatchSummary& batch) {
     return fmt::format("batch {} ({})", batch.id, format_utc(batch.started_at));
 }
 
-std::string outcome(const RunFacts& run) {
-    if (run.is_clean()) return "<span class=\"good\">without a fault</span>";
+std::string outcome(const RunSummary& run) {
+    if (run.is_clean()) return "<span class=\"good\">without errors</span>";
     const std::string status = fmt::format("<span class=\"bad\">{}</span>", escape_html(run.status));
     return run.cause.empty() || run.cause == run.status
                ? status
                : fmt::format("{}: {}", status, escape_html(run.cause));
 }
 
-std::string first_error(const RunFacts& run) {
+std::string first_error(const RunSummary& run) {
     if (run.is_clean()) return {};
     std::string position = escape_html(run.file);
     if (!position.empty() && run.line > 0) position += fmt::format(":{}", run.line);
@@ -162,7 +162,7 @@ std::string full_page(std::string_view name, std::string_view title, std::string
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>"
         "<style>{}</style></head>\n<body>",
         page_marker(name), escape_html(title), kStyle);
-    if (!breadcrumbs.empty()) page += fmt::format("<nav aria-label=\"Above\">{}</nav>\n", breadcrumbs);
+    if (!breadcrumbs.empty()) page += fmt::format("<nav aria-label=\"Breadcrumb\">{}</nav>\n", breadcrumbs);
     return page + fmt::format("<main><h1>{}</h1>\n{}</main></body></html>\n", escape_html(title), body);
 }
 

@@ -22,19 +22,19 @@ std::string time_markup(std::string_view utc);
 /// Returns a time without its unit.
 std::string seconds(double time_s);
 /// Returns the time of a run that has one, else a dash.
-std::string time_text(const RunFacts& run);
+std::string time_text(const RunSummary& run);
 /// Returns a difference with its sign, in seconds and as a share of the first time.
 std::string difference(double before_s, double now_s);
 /// Returns a count with its noun: "3 runs", "1 run".
 std::string count_text(std::size_t count, std::string_view one, std::string_view many);
 /// Returns "batch 12 (2026-11-27 03:00 UTC)", as plain text for use in titles.
-std::string batch_label(const BatchFacts& batch);
-std::string plain_batch_label(const BatchFacts& batch);
+std::string batch_label(const BatchSummary& batch);
+std::string plain_batch_label(const BatchSummary& batch);
 
 /// Returns status and cause.
-std::string outcome(const RunFacts& run);
+std::string outcome(const RunSummary& run);
 /// Returns the message and source location of the first error; empty if the run has none.
-std::string first_error(const RunFacts& run);
+std::string first_error(const RunSummary& run);
 
 /// Returns the machine by the name used in the call.
 std::string machine_label(std::string_view machine);

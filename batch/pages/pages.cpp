@@ -17,9 +17,6 @@ namespace gsim::batch {
 
 namespace {
 
-using VoidResult = tl::expected<void, std::string>;
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr std::size_t kMaxViews = 200;  // each has a megabyte and more
 
 /// Views are chosen in the order in which users read them in the morning.
@@ -47,7 +44,7 @@ class PagesWriter {
     }
 
     /// Pages that the front page links to are written before it, and removed after it.
-    VoidResult write() {
+    Result<void> write() {
         const auto changes = find_changes(report_, run_history_);
         if (!changes) return Unexpected(changes.error());
         if (views_) selected_ = select_views(report_, *changes);
@@ -63,7 +60,7 @@ class PagesWriter {
     }
 
   private:
-    VoidResult write_program(const ProgramCases& program) {
+    Result<void> write_program(const ProgramCases& program) {
         std::vector<CaseDetails> all;
         for (const std::size_t position : program.cases) {
             const Case& of = report_.cases[position];
@@ -81,10 +78,10 @@ class PagesWriter {
 
     void add_view(CaseDetails& details) {
         auto view = views_->make(*details.of->now, details.now);
-        (view ? details.view : details.view_error) = view ? *view : view.error();
+        (view ? details.view : details.view_error) = view ? *view : view.error().message;
     }
 
-    VoidResult write_front(const Changes& changes) {
+    Result<void> write_front(const Changes& changes) {
         ReasonsByCase reasons_by_case;
         for (const auto* positions :
              {&changes.newly_failing, &changes.fixed, &changes.changed_times, &changes.changed_findings}) {
@@ -98,7 +95,7 @@ class PagesWriter {
         return site_.save(kFrontPage, front_page(report_, changes, reasons_by_case));
     }
 
-    tl::expected<std::vector<std::string>, std::string> find_rerun_reasons(const Case& of) {
+    Result<std::vector<std::string>> find_rerun_reasons(const Case& of) {
         if (of.before == nullptr || of.before == of.now) return {};
         const auto before = run_history_.read(of.before->id);
         if (!before) return Unexpected(before.error());
@@ -117,7 +114,7 @@ class PagesWriter {
 
 }  // namespace
 
-VoidResult write_pages(Database& results, const PagesOptions& options) {
+Result<void> write_pages(Database& results, const PagesOptions& options) {
     // The transaction reads one state, even if a batch is still running. Later no transaction is needed: runs
     // do not change, and writers must not wait for pages.
     if (auto begun = results.execute("BEGIN"); !begun) return begun;

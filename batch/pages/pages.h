@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/pages/views.h"
 #include "batch/store/sqlite.h"
 
@@ -15,12 +14,13 @@ namespace gsim::batch {
 struct PagesOptions {
     std::string folder;
     std::int64_t since = 0;  ///< Number of the batch to compare with; 0: the last one before.
-    std::optional<ViewMaker> views = std::nullopt;  ///< Set: runs that fail or have changed get pages, too.
+    std::optional<ViewGenerator> views =
+        std::nullopt;  ///< Set: runs that fail or have changed get pages, too.
 };
 
 /// Writes pages of the latest batch into a folder: a front page, and one for each program. Pages of a
 /// previous batch are replaced or removed, other files stay. The same results give the same bytes. The error
 /// is a message that names the file that cannot be written, or says that no such batch exists.
-tl::expected<void, std::string> write_pages(Database& results, const PagesOptions& options);
+Result<void> write_pages(Database& results, const PagesOptions& options);
 
 }  // namespace gsim::batch

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMaxCases = 1000;  // of the table
 
 std::string cases_table(const NightlyReport& report, const ProgramCases& program) {
-    HtmlTable table("Machines and settings", {"Machine", "Settings", "Outcome", "Time, s", "Batch before, s",
-                                              "Findings", "First fault"});
+    HtmlTable table("Machines and settings", {"Machine", "Settings", "Outcome", "Time, s",
+                                              "Previous batch, s", "Findings", "First error"});
     const std::size_t count = std::min(program.cases.size(), kMaxCases);
     for (std::size_t i = 0; i < count; ++i) {
         const Case& of = report.cases[program.cases[i]];
@@ -28,7 +28,7 @@ std::string cases_table(const NightlyReport& report, const ProgramCases& program
     }
     std::string text = table.text();
     if (count < program.cases.size())
-        text += fmt::format("<p>{} more are left out here.</p>\n", program.cases.size() - count);
+        text += fmt::format("<p>{} more are not shown here.</p>\n", program.cases.size() - count);
     return text;
 }
 
@@ -40,7 +40,7 @@ std::string program_page(const NightlyReport& report, const ProgramCases& progra
     if (program.cases.size() > 1) body += cases_table(report, program);
     for (const CaseDetails& each : details) body += case_text(report, each);
     if (details.size() < program.cases.size())
-        body += fmt::format("<p>{} more have no more room here than their row above.</p>\n",
+        body += fmt::format("<p>{} more are shown only as a row above.</p>\n",
                             program.cases.size() - details.size());
     return full_page(program.page, program.program, "<a href=\"index.html\">All programs</a>", body);
 }

@@ -42,7 +42,7 @@ RunDetails run_details_from_row(const Statement& row) {
 
 }  // namespace
 
-tl::expected<RunHistory, std::string> RunHistory::open(Database& results) {
+Result<RunHistory> RunHistory::open(Database& results) {
     auto run = results.prepare(
         "SELECT program, machine, program_sha256, machine_sha256, machine_name, controller, version, ran_at, "
         "options, settings, extents, findings, least_s, most_s, energy_j, rapid_s, feed_s, dwell_s, "
@@ -58,11 +58,11 @@ tl::expected<RunHistory, std::string> RunHistory::open(Database& results) {
     return RunHistory(*std::move(run), *std::move(files), *std::move(picture));
 }
 
-tl::expected<RunDetails, std::string> RunHistory::read(std::int64_t run) {
+Result<RunDetails> RunHistory::read(std::int64_t run) {
     run_.bind(1, run);
     const auto row = run_.step();
     if (!row) return tl::unexpected(row.error());
-    if (!*row) return tl::unexpected(fmt::format("run {} is not in the results", run));
+    if (!*row) return Unexpected(fmt::format("run {} is not in the results", run));
     RunDetails complete = run_details_from_row(run_);
     if (const auto done = run_.run(); !done) return tl::unexpected(done.error());
     picture_.bind(1, run);

@@ -5,15 +5,14 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/store/sqlite.h"
 #include "batch/work/run_commands.h"
 #include "batch/work/run_row.h"
 
 namespace gsim::batch {
 
-/// Stored data of a run in addition to its RunFacts.
+/// Stored data of a run in addition to its RunSummary.
 struct RunDetails {
     std::string key = {};  ///< By which it is found again.
     std::string program = {}, machine = {};
@@ -35,9 +34,9 @@ inline RunInputs run_inputs(const RunDetails& run) {
 /// Reader of complete runs, one by one. It must be destroyed before its database.
 class RunHistory {
   public:
-    static tl::expected<RunHistory, std::string> open(Database& results);
+    static Result<RunHistory> open(Database& results);
 
-    tl::expected<RunDetails, std::string> read(std::int64_t run);
+    Result<RunDetails> read(std::int64_t run);
 
   private:
     RunHistory(Statement run, Statement files, Statement picture)

@@ -16,16 +16,14 @@ namespace gsim::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using WriteResult = tl::expected<void, std::string>;
 
 constexpr std::size_t kHeadBytes = 1024;  // bytes, in which a page of ours says so
 
-tl::unexpected<std::string> folder_error(std::string_view what, const fs::path& file,
-                                         const std::error_code& error) {
-    return tl::unexpected(fmt::format("cannot {} '{}': {}", what, file.string(), error.message()));
+Unexpected folder_error(std::string_view what, const fs::path& file, const std::error_code& error) {
+    return Unexpected(fmt::format("cannot {} '{}': {}", what, file.string(), error.message()));
 }
 
-bool is_own_page(const std::string& name, std::string_view content) {
+bool is_generated_page(const std::string& name, std::string_view content) {
     return content.substr(0, kHeadBytes).find(page_marker(name)) != std::string_view::npos;
 }
 
@@ -39,14 +37,14 @@ std::string page_head(const fs::path& file) {
 
 }  // namespace
 
-tl::expected<Site, std::string> Site::open(const std::string& folder) {
+Result<Site> Site::open(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) return folder_error("make the folder", folder, error);
+    if (error) return folder_error("create the folder", folder, error);
     return Site(folder);
 }
 
-WriteResult Site::save(const std::string& name, std::string_view page) {
+Result<void> Site::save(const std::string& name, std::string_view page) {
     names_.insert(name);
     const fs::path file = folder_ / name;
     std::error_code error;
@@ -55,9 +53,9 @@ WriteResult Site::save(const std::string& name, std::string_view page) {
         std::ifstream stream(file, std::ios::binary);
         const std::string content{std::istreambuf_iterator<char>(stream), {}};
         if (content == page) return {};
-        if (!is_own_page(name, content)) {
-            return tl::unexpected(fmt::format(
-                "'{}' is no page that was written here before; name another folder", file.string()));
+        if (!is_generated_page(name, content)) {
+            return Unexpected(
+                fmt::format("'{}' is not a page written by --pages; choose another folder", file.string()));
         }
     } else if (fs::exists(status)) {
         return folder_error("write", file, std::make_error_code(std::errc::file_exists));
@@ -65,13 +63,13 @@ WriteResult Site::save(const std::string& name, std::string_view page) {
     return os::write_file(file, page);
 }
 
-WriteResult Site::remove_stale_pages() {
+Result<void> Site::remove_stale_pages() {
     return remove_files(folder_, [&](const std::string& name, std::string_view head) {
-        return !names_.contains(name) && is_own_page(name, head);
+        return !names_.contains(name) && is_generated_page(name, head);
     });
 }
 
-WriteResult remove_files(
+Result<void> remove_files(
     const fs::path& folder,
     const std::function<bool(const std::string& name, std::string_view head)>& should_remove) {
     std::vector<fs::path> files;

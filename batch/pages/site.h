@@ -6,7 +6,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::batch {
 
@@ -14,14 +14,14 @@ namespace gsim::batch {
 class Site {
   public:
     /// Creates the folder if it does not exist. The error is a message that names it.
-    static tl::expected<Site, std::string> open(const std::string& folder);
+    static Result<Site> open(const std::string& folder);
 
     /// Writes a page, which appears only when complete. An identical existing page, byte for byte, stays
     /// untouched. The error is a message with the name of the file: it cannot be written, or it is not one of
     /// ours.
-    tl::expected<void, std::string> save(const std::string& name, std::string_view page);
+    Result<void> save(const std::string& name, std::string_view page);
     /// Removes our pages that were not written in this run.
-    tl::expected<void, std::string> remove_stale_pages();
+    Result<void> remove_stale_pages();
 
   private:
     explicit Site(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -31,8 +31,8 @@ class Site {
 };
 
 /// Removes the pages of a folder (.html) for which `should_remove` returns true; it receives the name and the
-/// first bytes. Links are skipped, and a missing folder has no pages. The error is a message.
-tl::expected<void, std::string> remove_files(
+/// first bytes. Links are skipped, and a missing folder has no pages.
+Result<void> remove_files(
     const std::filesystem::path& folder,
     const std::function<bool(const std::string& name, std::string_view head)>& should_remove);
 

@@ -18,7 +18,6 @@ namespace gsim::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Unexpected = tl::unexpected<std::string>;
 
 constexpr const char* kFolder = "views";
 constexpr std::string_view kTitle = "<title>gsim studio</title>";
@@ -42,33 +41,33 @@ bool is_view_name(std::string_view name) {
 }
 
 /// Returns false for a program that was refused, or that crashed its process: it has no run to show.
-bool has_run(const RunFacts& facts) {
+bool has_run(const RunSummary& facts) {
     return facts.has_time() || facts.status == "alarm" || facts.status == "stopped";
 }
 
 }  // namespace
 
-Views::Views(const std::string& folder, ViewMaker maker)
-    : folder_(fs::path(folder) / kFolder), maker_(std::move(maker)) {}
+Views::Views(const std::string& folder, ViewGenerator maker)
+    : folder_(fs::path(folder) / kFolder), generator_(std::move(maker)) {}
 
-tl::expected<std::vector<std::string>, std::string> Views::make_command(const RunFacts& facts,
-                                                                        const RunDetails& run) {
+Result<std::vector<std::string>> Views::make_command(const RunSummary& facts, const RunDetails& run) {
     if (!has_run(facts)) return Unexpected("the program was not run");
     if (run.moves > kMaxMoves) return Unexpected(fmt::format("it has more than {} moves", kMaxMoves));
-    if (run.version != maker_.version) return Unexpected("it was run by another version of gsim");
-    OpenCommand command = view_command(run_inputs(run));
-    if (command.words.empty()) return Unexpected("a path is its program, which gsim run does not take");
+    if (run.version != generator_.version) return Unexpected("it was run by another version of gsim");
+    ViewCommand command = view_command(run_inputs(run));
+    if (command.words.empty()) return Unexpected("its program is a path, which gsim run does not support");
     if (!command.left_out.empty())
-        return Unexpected(fmt::format("gsim run has no word for {}", command.left_out.front()));
+        return Unexpected(fmt::format("gsim run has no option for {}", command.left_out.front()));
     const auto other = std::find_if(run.files.begin(), run.files.end(), [&](const ReadFile& file) {
         return files_.file_hash(file.name) != file.sha256;
     });
-    if (other != run.files.end()) return Unexpected(fmt::format("'{}' is another one by now", other->name));
-    command.words.front() = maker_.program;
+    if (other != run.files.end())
+        return Unexpected(fmt::format("'{}' has changed since the run", other->name));
+    command.words.front() = generator_.program;
     return std::move(command.words);
 }
 
-tl::expected<std::string, std::string> Views::make(const RunFacts& facts, const RunDetails& run) {
+Result<std::string> Views::make(const RunSummary& facts, const RunDetails& run) {
     const std::string name = view_name(run);
     const fs::path file = folder_ / name;
     const auto view_address = [&] {
@@ -86,10 +85,10 @@ tl::expected<std::string, std::string> Views::make(const RunFacts& facts, const 
     const auto ended = os::run_child(*words, null_device.get(), null_device.get());
     // If the program has an error, its page is written as well.
     if (fs::exists(file, error)) return view_address();
-    return Unexpected(ended ? "gsim run has written none" : ended.error());
+    return Unexpected(ended ? "gsim run wrote no page" : ended.error().message);
 }
 
-tl::expected<void, std::string> remove_views(const std::string& folder, const Views* current) {
+Result<void> remove_views(const std::string& folder, const Views* current) {
     return remove_files(fs::path(folder) / kFolder, [&](const std::string& name, std::string_view head) {
         return is_view_name(name) && head.find(kTitle) != std::string_view::npos &&
                (current == nullptr || !current->names_.contains(name));

@@ -21,7 +21,6 @@ namespace gsim::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Unexpected = tl::unexpected<std::string>;
 using Names = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 15> kProgramExtensions{".nc",    ".ngc", ".ncd", ".tap", ".cnc",
@@ -41,7 +40,7 @@ bool is_pattern(const std::string& name) {
 
 /// Returns the files below a folder for which `wanted` is true. Hidden folders and files are skipped, as are
 /// unreadable ones.
-tl::expected<Names, std::string> find_files(const fs::path& folder, const auto& accepts) {
+Result<Names> find_files(const fs::path& folder, const auto& accepts) {
     std::error_code error;
     Names found;
     auto entry =
@@ -73,7 +72,7 @@ bool matches_pattern(const std::string& name, const std::string& pattern) {
     return false;
 }
 
-tl::expected<Names, std::string> find_matches(const std::string& pattern, const fs::path& folder) {
+Result<Names> find_matches(const std::string& pattern, const fs::path& folder) {
     const std::size_t slash = pattern.rfind('/', pattern.find_first_of("*?["));
     const fs::path below = slash == std::string::npos ? "." : pattern.substr(0, slash + 1);
     return find_files(folder / below,
@@ -86,29 +85,28 @@ tl::expected<Names, std::string> find_matches(const std::string& pattern, const 
 }
 
 /// Program names are passed on as text, so they must be UTF-8.
-tl::expected<Names, std::string> check_utf8(Names names) {
+Result<Names> check_utf8(Names names) {
     for (const std::string& name : names) {
         if (!text::is_utf8(name))
-            return Unexpected(fmt::format("'{}' has a name that is not UTF-8", text::printable(name)));
+            return Unexpected(fmt::format("the name of '{}' is not UTF-8", text::printable(name)));
     }
     return names;
 }
 
 }  // namespace
 
-tl::expected<Names, std::string> find_programs(const std::string& name, const fs::path& folder) {
+Result<Names> find_programs(const std::string& name, const fs::path& folder) {
     std::error_code ignored;
     const std::string plain = (folder / name).lexically_normal().string();
     if (fs::is_regular_file(plain, ignored)) return check_utf8({plain});
     const bool is_folder = fs::is_directory(plain, ignored);
     if (!is_folder && !is_pattern(name))
-        return Unexpected(
-            fmt::format("cannot read '{}': there is no such file or folder", text::printable(plain)));
+        return Unexpected(fmt::format("cannot read '{}': file or folder not found", text::printable(plain)));
     auto found = is_folder ? find_files(plain, is_program_file) : find_matches(name, folder);
     if (found && found->empty())
-        return Unexpected(is_folder ? fmt::format("'{}' has no part programs ({})", plain,
+        return Unexpected(is_folder ? fmt::format("'{}' contains no part programs ({})", plain,
                                                   text::joined(kProgramExtensions, ", "))
-                                    : fmt::format("nothing is called '{}'", plain));
+                                    : fmt::format("no file matches '{}'", plain));
     return found.and_then(check_utf8);
 }
 

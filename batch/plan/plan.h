@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/text/json.h"
 #include "batch/plan/design.h"
 #include "batch/plan/setting.h"
@@ -46,8 +45,8 @@ class Jobs {
 /// They are recognised by their extensions (.nc, .ngc, .tap, .cnc, .gcode, .lua, .path.json and others, in
 /// any case), and sorted by name. A file matches itself, whatever its extension. Names are relative to
 /// `folder`. The error: no match, or a name is not UTF-8.
-tl::expected<std::vector<std::string>, std::string> find_programs(const std::string& name,
-                                                                  const std::filesystem::path& folder = {});
+Result<std::vector<std::string>> find_programs(const std::string& name,
+                                               const std::filesystem::path& folder = {});
 
 /// Adds those files that are not in the plan yet.
 void add_programs(Plan& plan, const std::vector<std::string>& files);
@@ -57,7 +56,7 @@ enum class PlanUse : std::uint8_t { batch, search };
 
 /// Reads a plan (docs/batch.md), without its search part. File names are relative to its folder. The error
 /// begins with its source location.
-tl::expected<Plan, std::string> read_plan(std::string_view toml_text, const std::string& file_name,
-                                          PlanUse use = PlanUse::batch);
+Result<Plan> read_plan(std::string_view toml_text, const std::string& file_name,
+                       PlanUse use = PlanUse::batch);
 
 }  // namespace gsim::batch

@@ -39,7 +39,7 @@ class PlanReader {
         plan_.name = file;
     }
 
-    tl::expected<Plan, std::string> read() {
+    Result<Plan> read() {
         if (!error_.text()) read_plan();
         if (error_.text()) return tl::unexpected(*error_.text());
         return std::move(plan_);
@@ -82,7 +82,7 @@ class PlanReader {
             }
             if (found.size() == list->size() && !found.empty()) return found;
         }
-        section.fail(key, fmt::format("'{}' must be a list of texts", key));
+        section.fail(key, fmt::format("'{}' must be a list of strings", key));
         return {};
     }
 
@@ -97,7 +97,7 @@ class PlanReader {
         if (section.require("programs") == nullptr) return;
         for (const std::string& name : read_texts(section, table_, "programs")) {
             auto found = find_programs(name, folder_);
-            if (!found) return section.fail("programs", found.error());
+            if (!found) return section.fail("programs", found.error().message);
             add_programs(plan_, *found);
         }
     }
@@ -113,7 +113,7 @@ class PlanReader {
             const std::string name(key.str());
             auto value = scalar_value(node);
             if (const auto checked = check_option(name, value.value_or(json())); !checked) {
-                error_.report(key.source().begin, checked.error());
+                error_.report(key.source().begin, checked.error().message);
                 continue;
             }
             const bool is_file = find_option(name)->kind == RunOption::Kind::file;
@@ -134,8 +134,9 @@ class PlanReader {
         plan_.design.seed = read_integer(section, "seed", 1, kMaxRuns, 1);
         if (plan_.design.sampling == Sampling::grid) {
             if (section.has("runs"))
-                section.fail("runs",
-                             "a grid has as many runs as its values make; 'runs' is of another 'kind'");
+                section.fail(
+                    "runs",
+                    "a grid has one run for each combination of its values; 'runs' requires another 'kind'");
             return;
         }
         if (section.require("runs") != nullptr)
@@ -146,10 +147,10 @@ class PlanReader {
     void check_search(TomlSection& section) {
         if (section.has("sampling"))
             section.fail("sampling",
-                         "a search draws its variants itself ([search]); [sampling] says nothing to it");
+                         "a search selects its variants itself ([search]); [sampling] has no effect");
         if (section.has("controllers"))
             section.fail("controllers",
-                         "a search takes one control; to choose among several, make a [[setting]] of "
+                         "a search supports one controller; to select among several, add a [[setting]] of "
                          "'machine.controller.model' with 'values'");
     }
 
@@ -160,7 +161,8 @@ class PlanReader {
             if (plan_.options.contains(option))
                 section.fail(
                     "options",
-                    fmt::format("'{}' is of paths (.path.json, .path.lua), and no program is one", option));
+                    fmt::format("'{}' applies to paths (.path.json, .path.lua), and no program is a path",
+                                option));
         }
     }
 
@@ -177,11 +179,9 @@ class PlanReader {
             }
             const auto* choices = std::get_if<Choices>(&setting.domain);
             if (use_ == PlanUse::batch && plan_.design.sampling == Sampling::grid && choices == nullptr)
-                return section.fail(
-                    "setting",
-                    fmt::format("'{}' has no list of values or steps, as a grid needs; take another "
-                                "'kind' of [sampling]",
-                                setting.keys.front()));
+                return section.fail("setting", fmt::format("'{}' has no list of values or steps, which a "
+                                                           "grid requires; use another 'kind' of [sampling]",
+                                                           setting.keys.front()));
             if (choices != nullptr && use_ == PlanUse::batch)
                 size *= static_cast<double>(choices->values.size());
         }
@@ -191,10 +191,11 @@ class PlanReader {
                                   ? 0
                                   : static_cast<double>(plan_.design.runs * plan_.settings.size());
         if (values > static_cast<double>(kMaxRuns))
-            section.fail("setting",
-                         fmt::format("these are {:.3g} values of settings; {} may be", values, kMaxRuns));
+            section.fail("setting", fmt::format("the settings have {:.3g} values; at most {} are supported",
+                                                values, kMaxRuns));
         if (size > static_cast<double>(kMaxRuns))
-            section.fail("setting", fmt::format("these are {:.3g} runs; {} may be", size, kMaxRuns));
+            section.fail("setting",
+                         fmt::format("the plan has {:.3g} runs; at most {} are supported", size, kMaxRuns));
     }
 
     PlanUse use_;
@@ -206,8 +207,7 @@ class PlanReader {
 
 }  // namespace
 
-tl::expected<Plan, std::string> read_plan(std::string_view toml_text, const std::string& file_name,
-                                          PlanUse use) {
+Result<Plan> read_plan(std::string_view toml_text, const std::string& file_name, PlanUse use) {
     return PlanReader(toml_text, file_name, use).read();
 }
 

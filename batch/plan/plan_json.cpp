@@ -73,7 +73,7 @@ std::string print_plan_json(const Plan& plan) {
         .dump(1, ' ', false, json::error_handler_t::replace);
 }
 
-tl::expected<Plan, std::string> read_plan_json(std::string_view text) {
+Result<Plan> read_plan_json(std::string_view text) {
     try {
         const json read = text::parse_json<json>(text);
         Plan plan;
@@ -92,7 +92,7 @@ tl::expected<Plan, std::string> read_plan_json(std::string_view text) {
         read.at("pictures").get_to(plan.stored_documents.picture);
         return plan;
     } catch (const json::exception& error) {
-        return tl::unexpected(fmt::format("no plan: {}", error.what()));
+        return Unexpected(fmt::format("not a plan: {}", error.what()));
     }
 }
 

@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/plan/plan.h"
 
 namespace gsim::batch {
@@ -12,7 +11,7 @@ namespace gsim::batch {
 /// Prints a plan as JSON for another process to continue with: its files are already resolved and do not
 /// change.
 std::string print_plan_json(const Plan& plan);
-/// Reads such a text. The error is a message.
-tl::expected<Plan, std::string> read_plan_json(std::string_view text);
+/// Reads such a text.
+Result<Plan> read_plan_json(std::string_view text);
 
 }  // namespace gsim::batch

@@ -45,8 +45,8 @@ class SettingReader {
   private:
     void read_keys() {
         if (section_.has("key") == section_.has("keys"))
-            return section_.fail("key",
-                                 "[[setting]] has a 'key', or a list of 'keys' that get the same value");
+            return section_.fail(
+                "key", "[[setting]] must have a 'key', or a list of 'keys' that get the same value");
         if (section_.has("key")) {
             setting_.keys = {section_.text("key")};
             return;
@@ -56,44 +56,44 @@ class SettingReader {
             if (const auto* key = list->get(i)->as_string()) setting_.keys.push_back(key->get());
         }
         if (list == nullptr || list->empty() || setting_.keys.size() != list->size())
-            section_.fail("keys", "'keys' must be a list of texts");
+            section_.fail("keys", "'keys' must be a list of strings");
     }
 
     void read_use() {
         const bool scales = section_.flag("scale", false), shifts = section_.flag("shift", false);
         if (scales && shifts)
-            section_.fail("shift", "a value is a factor ('scale') or added ('shift'), not both");
+            section_.fail("shift", "a value must be a factor ('scale') or added ('shift'), not both");
         if (scales) setting_.use = SettingUse::factor;
         if (shifts) setting_.use = SettingUse::shift;
     }
 
     void check_key(const std::string& key) {
-        if (const std::string key_error = check_key_name(key); !key_error.empty())
-            return section_.fail("key", key_error);
+        if (const auto key_error = find_key_name_error(key)) return section_.fail("key", key_error->message);
         const bool is_file_setting =
             key.starts_with(kMachinePrefix) || key.starts_with(kCellPrefix) || key.starts_with(kRobotsPrefix);
         const bool is_feed = key.starts_with(kPathPrefix) && key.ends_with("feed_mm_min");
         if (setting_.use == SettingUse::factor && !is_file_setting && !is_feed)
             section_.fail("scale",
-                          "factors are of feeds, and of values that a machine, cell or robots file has");
+                          "'scale' applies only to feeds, and to values of a machine, cell or robots file");
         if (setting_.use == SettingUse::shift && !is_file_setting)
-            section_.fail("shift", "what is added is so to values that a machine, cell or robots file has");
+            section_.fail("shift", "'shift' applies only to values of a machine, cell or robots file");
         const bool has_order_values = section_.has("orders") || section_.has("values");
         if (key == kOrderKey ? !has_order_values : section_.has("orders"))
-            section_.fail("key",
-                          "'path.order' has 'orders', the count of what is ordered, or lists as 'values'");
+            section_.fail(
+                "key", "'path.order' must have 'orders', the number of items to order, or lists as 'values'");
     }
 
     void read_domain() {
         if (section_.has("orders")) return read_orders();
         const bool has_values = section_.has("values");
         if (has_values == section_.has("from") && !(section_.has("distribution") && !has_values))
-            return section_.fail("key", "[[setting]] has 'values', or 'from' and 'to', or a 'distribution'");
+            return section_.fail("key",
+                                 "[[setting]] must have 'values', or 'from' and 'to', or a 'distribution'");
         reject_unused(section_, has_values);
         for (const std::string& key : setting_.keys) {
             if (has_values || !key.starts_with(kOptionPrefix)) continue;
             if (const auto checked = check_option(key.substr(kOptionPrefix.size()), 1.5); !checked)
-                return section_.fail("key", checked.error());
+                return section_.fail("key", checked.error().message);
         }
         setting_.domain = has_values ? Domain(values()) : read_numbers(section_);
     }
@@ -111,7 +111,7 @@ class SettingReader {
                        const char* other_keys) {
         for (const char* key : keys) {
             if (section.has(key))
-                section.fail(key, fmt::format("'{}' says nothing beside {}", key, other_keys));
+                section.fail(key, fmt::format("'{}' has no effect together with {}", key, other_keys));
         }
     }
 
@@ -134,7 +134,7 @@ class SettingReader {
         Choices choices;
         const toml::array* list = table_.get("values")->as_array();
         if (list == nullptr || list->empty()) {
-            section_.fail("values", "'values' must be a list of one at least");
+            section_.fail("values", "'values' must be a list with at least one value");
             return choices;
         }
         for (const toml::node& node : *list) {
@@ -148,15 +148,15 @@ class SettingReader {
         auto value = setting_.keys.front() == kOrderKey ? parse_number_list(node) : scalar_value(node);
         if (!value || (setting_.use != SettingUse::set && !value->is_number())) {
             error_.report(node.source().begin, setting_.use != SettingUse::set
-                                                   ? "what is a factor, or is added, must be a number"
-                                                   : "a value must be a number, a text, or true or false");
+                                                   ? "a factor, or an added value, must be a number"
+                                                   : "a value must be a number, a string, or true or false");
             return std::nullopt;
         }
         for (const std::string& key : setting_.keys) {
             if (!key.starts_with(kOptionPrefix)) continue;
             const std::string name = key.substr(kOptionPrefix.size());
             if (const auto checked = check_option(name, *value); !checked) {
-                error_.report(node.source().begin, checked.error());
+                error_.report(node.source().begin, checked.error().message);
             } else if (find_option(name)->kind == RunOption::Kind::file) {
                 value = resolve_file_(value->get<std::string>());
             }
@@ -231,7 +231,7 @@ std::uint64_t read_integer(TomlSection& section, std::string_view key, std::uint
     const double value = section.number(key, static_cast<double>(fallback), NumberRule::not_negative);
     if (value == std::floor(value) && value >= static_cast<double>(min) && value <= static_cast<double>(max))
         return static_cast<std::uint64_t>(value);
-    section.fail(key, fmt::format("'{}' must be a whole number from {} to {}", key, min, max));
+    section.fail(key, fmt::format("'{}' must be an integer from {} to {}", key, min, max));
     return fallback;
 }
 

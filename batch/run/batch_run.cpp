@@ -16,7 +16,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPollInterval(200);
@@ -40,7 +39,7 @@ class BatchRun {
                  .workers = options.workers,
                  .timeout_s = options.timeout_s}) {}
 
-    tl::expected<BatchTally, std::string> run() {
+    Result<BatchTally> run() {
         auto lock = os::FileLock::get(options_.results, options_.lock_timeout);
         if (!lock) return Unexpected(lock.error());
         auto results = Results::open(options_.results, options_.journal);
@@ -62,7 +61,7 @@ class BatchRun {
     }
 
   private:
-    SqlResult run_jobs() {
+    Result<void> run_jobs() {
         std::uint64_t next = 0;
         while (true) {
             while (!stop_ && next < tally_.jobs && pool_.has_capacity()) {
@@ -80,7 +79,7 @@ class BatchRun {
         }
     }
 
-    SqlResult collect_rows(std::chrono::milliseconds max_wait) {
+    Result<void> collect_rows(std::chrono::milliseconds max_wait) {
         if (pool_.pending_count() == 0) return {};
         auto rows = pool_.collect(max_wait);
         if (!rows) return Unexpected(rows.error());
@@ -95,9 +94,9 @@ class BatchRun {
     }
 
     /// Records a job that was done before, or gives it to a worker.
-    SqlResult begin(Job job) {
+    Result<void> begin(Job job) {
         RunKey key = run_cache_.run_key(job);
-        using LookupResult = tl::expected<std::optional<Results::StoredRun>, std::string>;
+        using LookupResult = Result<std::optional<Results::StoredRun>>;
         const LookupResult found =
             options_.rerun ? LookupResult() : run_cache_.find(*results_, key, job, options_.retry);
         if (!found) return Unexpected(found.error());
@@ -115,31 +114,31 @@ class BatchRun {
         return pool_.submit(std::move(job));
     }
 
-    SqlResult collect(const RunRow& row) {
+    Result<void> collect(const RunRow& row) {
         const auto pending = pending_jobs_.find(row.number);
-        if (pending == pending_jobs_.end()) return Unexpected("a row of no job");
+        if (pending == pending_jobs_.end()) return Unexpected("a result row without a job");
         const auto run = results_->add(pending->second.job, pending->second.key, row, run_cache_.version());
         const std::vector<std::uint64_t> others = std::move(pending->second.others);
         jobs_in_progress_.erase(pending->second.key.key);
         pending_jobs_.erase(pending);
         if (!run) return Unexpected(run.error());
         ++tally_.ran;
-        if (!row.picture_error.empty() && tally_.missing_pictures++ == 0)
-            tally_.first_picture_error = row.picture_error;
+        if (!row.documents.picture_error.empty() && tally_.missing_pictures++ == 0)
+            tally_.first_picture_error = row.documents.picture_error;
         for (const std::uint64_t other : others) {
             ++tally_.reused;
-            if (auto recorded = record(other, *run, row.is_clean(), true); !recorded) return recorded;
+            if (auto recorded = record(other, *run, row.outcome.is_clean(), true); !recorded) return recorded;
         }
-        return record(row.number, *run, row.is_clean(), false);
+        return record(row.number, *run, row.outcome.is_clean(), false);
     }
 
-    SqlResult record(std::uint64_t job, std::int64_t run, bool is_clean, bool reused) {
+    Result<void> record(std::uint64_t job, std::int64_t run, bool is_clean, bool reused) {
         tally_.failed += is_clean ? 0 : 1;
         return results_->record(job, run, reused);
     }
 
     /// Commits and reports new results from time to time, so that others see them.
-    SqlResult commit_if_due() {
+    Result<void> commit_if_due() {
         const auto now = Clock::now();
         if (now < next_commit_) return {};
         next_commit_ = now + kCommitInterval;
@@ -148,7 +147,7 @@ class BatchRun {
     }
 
     void report_progress() {
-        tally_.wall_s = std::chrono::duration<double>(Clock::now() - start_).count();
+        tally_.wall_time_s = std::chrono::duration<double>(Clock::now() - start_).count();
         progress_(tally_);
     }
 
@@ -175,9 +174,8 @@ class BatchRun {
 
 }  // namespace
 
-tl::expected<BatchTally, std::string> run_batch(const Plan& plan, const BatchOptions& options,
-                                                const std::atomic<bool>& stop,
-                                                const std::function<void(const BatchTally&)>& progress) {
+Result<BatchTally> run_batch(const Plan& plan, const BatchOptions& options, const std::atomic<bool>& stop,
+                             const std::function<void(const BatchTally&)>& progress) {
     return BatchRun(plan, options, stop, progress).run();
 }
 

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/plan/plan.h"
 #include "batch/store/results.h"
 
@@ -37,7 +36,7 @@ struct BatchTally {
     std::uint64_t failed = 0;              ///< Among both.
     std::uint64_t missing_pictures = 0;    ///< Requested pictures that could not be drawn.
     std::string first_picture_error = {};  ///< Message of the first of these.
-    double wall_s = 0;
+    double wall_time_s = 0;
     bool complete = false;  ///< Else it was cut off.
 
     std::uint64_t done() const { return ran + reused; }
@@ -46,8 +45,7 @@ struct BatchTally {
 /// Runs the jobs that have not been run yet, and writes their results to the file as they come. `stop`: no
 /// further job is begun, those in progress are completed. `progress` is called from time to time. The error
 /// is a message; the results so far are in the file.
-tl::expected<BatchTally, std::string> run_batch(const Plan& plan, const BatchOptions& options,
-                                                const std::atomic<bool>& stop,
-                                                const std::function<void(const BatchTally&)>& progress);
+Result<BatchTally> run_batch(const Plan& plan, const BatchOptions& options, const std::atomic<bool>& stop,
+                             const std::function<void(const BatchTally&)>& progress);
 
 }  // namespace gsim::batch

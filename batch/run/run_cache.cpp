@@ -51,9 +51,8 @@ RunKey RunCache::run_key(const Job& job) {
     return key;
 }
 
-tl::expected<std::optional<Results::StoredRun>, std::string> RunCache::find(Results& results,
-                                                                            const RunKey& key, const Job& job,
-                                                                            bool retry) {
+Result<std::optional<Results::StoredRun>> RunCache::find(Results& results, const RunKey& key, const Job& job,
+                                                         bool retry) {
     const auto file_hash = [this](const std::string& name) { return files_.file_hash(name); };
     return results.find(key.key, file_hash, job.stored_documents, retry);
 }

@@ -4,8 +4,7 @@
 #include <string>
 #include <unordered_map>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/store/results.h"
 #include "batch/work/input_files.h"
 #include "batch/work/job.h"
@@ -24,8 +23,8 @@ class RunCache {
     /// Other files that the run reads are checked when the run is found again.
     RunKey run_key(const Job& job);
     /// Same as Results::find().
-    tl::expected<std::optional<Results::StoredRun>, std::string> find(Results& results, const RunKey& key,
-                                                                      const Job& job, bool retry);
+    Result<std::optional<Results::StoredRun>> find(Results& results, const RunKey& key, const Job& job,
+                                                   bool retry);
 
   private:
     std::string machine_hash(const std::string& name);

@@ -20,7 +20,6 @@ namespace gsim::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Unexpected = tl::unexpected<std::string>;
 using nlohmann::json;
 
 constexpr const char *kProgramExtension = ".nc", *kMachineExtension = ".machine.toml",
@@ -56,7 +55,7 @@ void find_file_names(const json& value, const fs::path& folder, const base::Toml
 }
 
 /// Returns a TOML file with absolute names, so that it may lie elsewhere.
-tl::expected<std::string, std::string> with_absolute_names(std::string text, const fs::path& file) {
+Result<std::string> with_absolute_names(std::string text, const fs::path& file) {
     auto edit = base::TomlEditor::read(std::move(text), file.string());
     if (!edit) return Unexpected(edit.error());
     std::vector<std::pair<base::TomlPath, std::string>> names;
@@ -71,7 +70,7 @@ class VariantWriter {
   public:
     VariantWriter(const fs::path& folder, std::string stem) : folder_(folder), stem_(std::move(stem)) {}
 
-    tl::expected<Job, std::string> write(Job job, const JobTexts& texts) {
+    Result<Job> write(Job job, const JobTexts& texts) {
         for (const SettingValue& setting : settings_with_prefix(job.settings, kOptionPrefix))
             job.options[setting.key] = setting.value;
         job.settings.clear();
@@ -94,7 +93,8 @@ class VariantWriter {
   private:
     void write_new_file(std::string& name, const char* file_suffix, const std::string& text) {
         name = (folder_ / (stem_ + file_suffix)).string();
-        if (const auto done = os::write_file(name, text); !done && error_.empty()) error_ = done.error();
+        if (const auto done = os::write_file(name, text); !done && error_.empty())
+            error_ = done.error().message;
     }
 
     /// Writes the file if the job has another text for it.
@@ -103,10 +103,10 @@ class VariantWriter {
         const auto changed = texts.changed.find(fs::path(file).lexically_normal().string());
         if (file.empty() || changed == texts.changed.end()) return;
         const bool is_toml = std::string_view(file_suffix).ends_with(".toml");
-        auto text = is_toml ? with_absolute_names(changed->second, file)
-                            : tl::expected<std::string, std::string>(changed->second);
+        auto text =
+            is_toml ? with_absolute_names(changed->second, file) : Result<std::string>(changed->second);
         if (text) return write_new_file(name, file_suffix, *text);
-        if (error_.empty()) error_ = text.error();
+        if (error_.empty()) error_ = text.error().message;
     }
 
     fs::path folder_;
@@ -160,9 +160,8 @@ std::vector<std::string> output_files(const Plan& plan, const std::string& folde
 
 }  // namespace
 
-tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
-                                                          const std::vector<SettingValue>& settings,
-                                                          const std::string& folder) {
+Result<std::vector<Job>> write_variant(const Plan& plan, const std::vector<SettingValue>& settings,
+                                       const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return Unexpected(fmt::format("'{}': {}", folder, error.message()));
@@ -181,24 +180,26 @@ tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
     return written;
 }
 
-std::string check_output_folder(const Plan& plan, const std::string& folder, bool overwrite) {
+std::optional<Error> find_output_folder_error(const Plan& plan, const std::string& folder, bool overwrite) {
     const std::vector<std::string> inputs = input_files(plan);
     for (const std::string& file : output_files(plan, folder)) {
         std::error_code error;
         if (!fs::exists(fs::symlink_status(file, error))) continue;
         if (!overwrite)
-            return fmt::format("'{}' is there already; take another folder for --best, or --overwrite", file);
+            return fmt::format("'{}' already exists; use another folder for --best, or --overwrite", file);
         const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
             std::error_code other;
             return fs::equivalent(file, input, other);
         });
-        if (is_input) return fmt::format("'{}' is read by the search; take another folder for --best", file);
+        if (is_input)
+            return fmt::format("'{}' is an input of the search; use another folder for --best", file);
     }
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return fmt::format("'{}': {}", folder, error.message());
     const auto writable = os::OutputFile::check(fs::path(folder) / "x.nc");
-    return writable ? std::string() : writable.error();
+    if (!writable) return writable.error();
+    return std::nullopt;
 }
 
 }  // namespace gsim::batch

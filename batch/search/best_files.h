@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/plan/plan.h"
 #include "batch/work/job.h"
 
@@ -14,12 +13,11 @@ namespace gsim::batch {
 /// its program file (for a path, the generated program). Machine file, cell, robots and machine data are
 /// added if settings change them. File names inside become absolute, so that the files may lie elsewhere.
 /// Returns the jobs of these files, which have only options.
-tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
-                                                          const std::vector<SettingValue>& settings,
-                                                          const std::string& folder);
+Result<std::vector<Job>> write_variant(const Plan& plan, const std::vector<SettingValue>& settings,
+                                       const std::string& folder);
 
-/// Returns a message why the files of a variant cannot be written into a folder, which is created. Either one
-/// exists already, or, if overwriting is allowed, the search itself reads it. Empty if no error is found.
-std::string check_output_folder(const Plan& plan, const std::string& folder, bool overwrite);
+/// Returns an error if the files of a variant cannot be written into a folder, which is created. Either one
+/// exists already, or, if overwriting is allowed, the search itself reads it.
+std::optional<Error> find_output_folder_error(const Plan& plan, const std::string& folder, bool overwrite);
 
 }  // namespace gsim::batch

@@ -4,8 +4,7 @@
 #include <functional>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/plan/plan.h"
 
 namespace gsim::batch {
@@ -17,7 +16,7 @@ struct EvaluatedBatch {
 };
 
 /// Function that runs all jobs of a plan into the results, on any computer; `anew`: existing runs are
-/// repeated. The error is a message.
-using Evaluate = std::function<tl::expected<EvaluatedBatch, std::string>(const Plan& plan, bool rerun)>;
+/// repeated.
+using Evaluate = std::function<Result<EvaluatedBatch>(const Plan& plan, bool rerun)>;
 
 }  // namespace gsim::batch

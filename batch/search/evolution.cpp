@@ -35,8 +35,8 @@ VectorXd recombination_weights(std::size_t population) {
 }
 
 /// Constants of table 1 of the tutorial (of 2023).
-struct Constants {
-    Constants(double n, double effective_mass)
+struct EvolutionConstants {
+    EvolutionConstants(double n, double effective_mass)
         : mass(effective_mass),
           step_rate((mass + 2) / (n + mass + 5)),
           step_damping(1 + 2 * std::max(0.0, std::sqrt((mass - 1) / (n + 1)) - 1) + step_rate),
@@ -87,7 +87,7 @@ void Evolution::update(std::span<const std::size_t> ranking) {
 
 void Evolution::adapt(const MatrixXd& steps, const VectorXd& weights) {
     const auto n = static_cast<double>(mean_.size());
-    const Constants c(n, 1 / weights.squaredNorm());
+    const EvolutionConstants c(n, 1 / weights.squaredNorm());
     const VectorXd mean_step = steps * weights;
     mean_ += step_ * mean_step;
     const VectorXd whitened = axes_ * (axes_.transpose() * mean_step).cwiseQuotient(axis_lengths_);

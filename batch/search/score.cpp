@@ -10,8 +10,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 // Classes of violations, each worse than the previous ones: past limits, ended before the end, not begun.
 constexpr double kMaxExcess = 1e5, kAbortedViolation = 1e6, kNotStartedViolation = 1e9;
 
@@ -49,8 +47,7 @@ double RunMetrics::metric(std::string_view name, double fallback) const {
     return found == metrics.end() ? fallback : found->second.value_or(fallback);
 }
 
-tl::expected<std::vector<RunMetrics>, std::string> read_metrics(Database& results, std::int64_t batch,
-                                                                std::uint64_t jobs) {
+Result<std::vector<RunMetrics>> read_metrics(Database& results, std::int64_t batch, std::uint64_t jobs) {
     auto rows = results.prepare(
         fmt::format("SELECT run.id, status, cause, message, program, {} FROM batch_run JOIN run ON run.id = "
                     "batch_run.run WHERE batch = ? ORDER BY job",
@@ -103,7 +100,7 @@ Score compute_score(const SearchPlan& search, std::span<const RunMetrics> runs,
     return score;
 }
 
-std::string find_missing_metric(const SearchPlan& search, std::span<const RunMetrics> runs) {
+std::optional<Error> find_missing_metric(const SearchPlan& search, std::span<const RunMetrics> runs) {
     std::vector<std::string> required;
     for (const Weight& weight : search.objective) required.push_back(weight.metric);
     for (const MetricLimit& limit : search.limits) required.push_back(limit.metric);
@@ -112,8 +109,8 @@ std::string find_missing_metric(const SearchPlan& search, std::span<const RunMet
         for (const std::string& metric : required) {
             if (!run.metrics.at(metric))
                 return fmt::format(
-                    "runs of '{}' have no '{}' (docs/optimise.md tells what each figure needs)", run.program,
-                    metric);
+                    "runs of '{}' have no '{}' (docs/optimise.md lists the requirements of each metric)",
+                    run.program, metric);
         }
     }
     return {};

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/search/search_plan.h"
 #include "batch/store/sqlite.h"
 
@@ -25,8 +24,7 @@ struct RunMetrics {
 };
 
 /// Returns the runs of a batch in the order of its jobs. The error: some jobs have none.
-tl::expected<std::vector<RunMetrics>, std::string> read_metrics(Database& results, std::int64_t batch,
-                                                                std::uint64_t jobs);
+Result<std::vector<RunMetrics>> read_metrics(Database& results, std::int64_t batch, std::uint64_t jobs);
 
 /// Returns true if a run was not even begun: its program or an input was refused, or its process was lost.
 bool was_not_started(const RunMetrics& run);
@@ -50,8 +48,7 @@ struct Score {
 Score compute_score(const SearchPlan& search, std::span<const RunMetrics> runs,
                     std::span<const RunMetrics> start);
 
-/// Returns a message about a metric of the objective or a limit that a completed run does not have; empty if
-/// all exist.
-std::string find_missing_metric(const SearchPlan& search, std::span<const RunMetrics> runs);
+/// Returns an error if a completed run lacks a metric of the objective or of a limit.
+std::optional<Error> find_missing_metric(const SearchPlan& search, std::span<const RunMetrics> runs);
 
 }  // namespace gsim::batch

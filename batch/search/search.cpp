@@ -16,9 +16,7 @@ namespace gsim::batch {
 
 namespace {
 
-using VoidResult = tl::expected<void, std::string>;
 using Eigen::VectorXd;
-using Unexpected = tl::unexpected<std::string>;
 using Variants = std::vector<std::vector<SettingValue>>;
 
 constexpr double kInitialStep = 0.2, kRestartStep = 0.3;  // of the box
@@ -55,7 +53,7 @@ class BestSearch {
           space_(search.plan.settings),
           random_(search.seed) {}
 
-    tl::expected<SearchState, std::string> run() {
+    Result<SearchState> run() {
         return begin()
             .and_then([&] { return explore(); })
             .and_then([&] { return evolve(); })
@@ -65,7 +63,7 @@ class BestSearch {
 
   private:
     /// Tries variants; returns their indices from the best one on. Empty: the search was cut off.
-    tl::expected<std::vector<std::size_t>, std::string> try_all(const Variants& variants) {
+    Result<std::vector<std::size_t>> rank_variants(const Variants& variants) {
         const Plan plan = with_variants(search_.plan, variants);
         const auto evaluated_batch = evaluate_(plan, false);
         if (!evaluated_batch) return Unexpected(evaluated_batch.error());
@@ -77,9 +75,8 @@ class BestSearch {
         return record_trials(*results, variants, *runs);
     }
 
-    tl::expected<std::vector<std::size_t>, std::string> record_trials(Database& results,
-                                                                      const Variants& variants,
-                                                                      const std::vector<RunMetrics>& runs) {
+    Result<std::vector<std::size_t>> record_trials(Database& results, const Variants& variants,
+                                                   const std::vector<RunMetrics>& runs) {
         const bool is_start = state_.trials == 0;
         if (is_start) {
             auto begun = begin_search(results, search_.plan.name, objective_text(search_), search_.seed);
@@ -87,8 +84,9 @@ class BestSearch {
             state_.search = *begun;
         }
         // A metric that the start lacks is an error of the plan; a variant without a metric is not allowed.
-        if (const std::string missing = is_start ? find_missing_metric(search_, runs) : ""; !missing.empty())
-            return Unexpected(missing);
+        if (is_start) {
+            if (auto missing = find_missing_metric(search_, runs)) return tl::unexpected(*std::move(missing));
+        }
         std::vector<Score> scores;
         std::vector<TrialRow> rows;
         for (std::size_t i = 0; i < variants.size(); ++i) {
@@ -103,7 +101,7 @@ class BestSearch {
             if (!is_start) record_rejections(trial);
             record_trials(std::move(trial), is_start);
         }
-        if (const VoidResult result = add_trials(results, state_.search, rows); !result)
+        if (const Result<void> result = add_trials(results, state_.search, rows); !result)
             return Unexpected(result.error());
         progress_(state_);
         std::vector<std::size_t> ranking(variants.size());
@@ -132,10 +130,10 @@ class BestSearch {
         ++state_.trials;
     }
 
-    VoidResult begin() {
-        const auto trials = try_all({{}});
+    Result<void> begin() {
+        const auto trials = rank_variants({{}});
         if (!trials) return Unexpected(trials.error());
-        interrupted_ = trials->empty();
+        is_interrupted_ = trials->empty();
         return {};
     }
 
@@ -150,31 +148,32 @@ class BestSearch {
         return variants;
     }
 
-    VoidResult explore() {
-        if (interrupted_) return {};
+    Result<void> explore() {
+        if (is_interrupted_) return {};
         // The number does not depend on the total, so that a search with more variants continues one with
         // fewer.
         std::uint64_t count = search_.first;
         if (count == 0) count = std::min(kInitialPerDimension * space_.dimensions(), kMaxInitial);
         count = std::min(count, remaining());
         const std::vector<VectorXd> points = spread_points(space_.dimensions(), count, search_.seed);
-        const auto ranking = try_all(variants_at(points));
+        const auto ranking = rank_variants(variants_at(points));
         if (!ranking) return Unexpected(ranking.error());
-        interrupted_ = ranking->empty();
-        if (interrupted_) return {};
+        is_interrupted_ = ranking->empty();
+        if (is_interrupted_) return {};
         if (!rejection_.empty() && started_runs_ == 0)
-            return Unexpected(fmt::format("each of the {} first variants is refused: {}", count, rejection_));
+            return Unexpected(
+                fmt::format("each of the {} first variants is rejected: {}", count, rejection_));
         start_point_ = points[ranking->front()];
         return {};
     }
 
-    VoidResult evolve() {
+    Result<void> evolve() {
         VectorXd mean = start_point_;
         double step = kInitialStep;
-        for (std::size_t population = search_.population; !interrupted_ && remaining() > 0;) {
+        for (std::size_t population = search_.population; !is_interrupted_ && remaining() > 0;) {
             Evolution evolution(mean, step, population, Random(random_()));
-            while (!interrupted_ && remaining() > 0 && !evolution.has_converged()) {
-                if (VoidResult done = evolve_once(evolution); !done) return done;
+            while (!is_interrupted_ && remaining() > 0 && !evolution.has_converged()) {
+                if (Result<void> done = evolve_once(evolution); !done) return done;
             }
             population = 2 * evolution.population();
             for (double& each : mean) each = uniform_random(random_);
@@ -183,20 +182,20 @@ class BestSearch {
         return {};
     }
 
-    VoidResult evolve_once(Evolution& evolution) {
+    Result<void> evolve_once(Evolution& evolution) {
         std::vector<VectorXd> points = evolution.sample_population();
         const bool complete = points.size() <= remaining();
         if (!complete) points.resize(remaining());
         ++state_.generation;
-        const auto ranking = try_all(variants_at(points));
+        const auto ranking = rank_variants(variants_at(points));
         if (!ranking) return Unexpected(ranking.error());
-        interrupted_ = ranking->empty();
-        if (!interrupted_ && complete) evolution.update(*ranking);
+        is_interrupted_ = ranking->empty();
+        if (!is_interrupted_ && complete) evolution.update(*ranking);
         return {};
     }
 
-    VoidResult end() {
-        state_.complete = !interrupted_;
+    Result<void> end() {
+        state_.complete = !is_interrupted_;
         if (state_.trials == 0) return {};
         auto results = Database::open(results_);
         if (!results) return Unexpected(results.error());
@@ -211,16 +210,16 @@ class BestSearch {
     Random random_;
     VectorXd start_point_;
     SearchState state_;
-    bool interrupted_ = false;
+    bool is_interrupted_ = false;
     std::uint64_t started_runs_ = 0;  // runs of variants that were begun
     std::string rejection_;           // why the first refused run was refused
 };
 
 }  // namespace
 
-tl::expected<SearchState, std::string> search_best(const SearchPlan& search, const std::string& results,
-                                                   const Evaluate& evaluate,
-                                                   const std::function<void(const SearchState&)>& progress) {
+Result<SearchState> search_best(const SearchPlan& search, const std::string& results,
+                                const Evaluate& evaluate,
+                                const std::function<void(const SearchState&)>& progress) {
     return BestSearch(search, results, evaluate, progress).run();
 }
 

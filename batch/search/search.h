@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/search/evaluator.h"
 #include "batch/search/score.h"
 #include "batch/search/search_plan.h"
@@ -35,9 +34,9 @@ struct SearchState {
 /// hypercube), then an evolution from the best of these. If that has converged, another evolution starts at a
 /// random point with twice as many trials at once. All runs are in the results, in batches, and each trial is
 /// in the tables `search` and `search_run`. The same plan tries the same variants, so that an interrupted
-/// search continues with the existing runs. The error is a message.
-tl::expected<SearchState, std::string> search_best(const SearchPlan& search, const std::string& results,
-                                                   const Evaluate& evaluate,
-                                                   const std::function<void(const SearchState&)>& progress);
+/// search continues with the existing runs.
+Result<SearchState> search_best(const SearchPlan& search, const std::string& results,
+                                const Evaluate& evaluate,
+                                const std::function<void(const SearchState&)>& progress);
 
 }  // namespace gsim::batch

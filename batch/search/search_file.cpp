@@ -27,7 +27,7 @@ class SearchReader {
         search_.plan = std::move(plan);
     }
 
-    tl::expected<SearchPlan, std::string> read() {
+    Result<SearchPlan> read() {
         read_objective();
         read_limits();
         read_search();
@@ -47,11 +47,11 @@ class SearchReader {
         const toml::table* objective = table_["objective"].as_table();
         if (objective == nullptr || objective->empty())
             return fail("objective",
-                        "a search needs [objective]: figures and their weights, as in 'cycle_time_s = 1'");
+                        "a search requires [objective]: metrics and their weights, as in 'cycle_time_s = 1'");
         TomlSection section(error_, *objective, "[objective]", kMetrics);
         for (const auto& [key, node] : *objective) {
             const double weight = section.number(key.str(), 1, NumberRule::finite);
-            if (weight == 0) section.fail(key.str(), "a weight of 0 says nothing");
+            if (weight == 0) section.fail(key.str(), "a weight of 0 has no effect");
             search_.objective.push_back({std::string(key.str()), weight});
         }
     }
@@ -68,7 +68,8 @@ class SearchReader {
             MetricLimit limit{.metric = std::string(kMetrics[metric])};
             if (section.has("least")) limit.min = section.number("least", 0, NumberRule::finite);
             if (section.has("most")) limit.max = section.number("most", 0, NumberRule::finite);
-            if (!limit.min && !limit.max) section.fail("figure", "[[limit]] has 'least', 'most' or both");
+            if (!limit.min && !limit.max)
+                section.fail("figure", "[[limit]] must have 'least', 'most' or both");
             if (limit.min && limit.max && *limit.min > *limit.max)
                 section.fail("most", "'most' must not be less than 'least'");
             search_.limits.push_back(std::move(limit));
@@ -91,13 +92,15 @@ class SearchReader {
 
     void check_settings() {
         if (search_.plan.settings.empty())
-            return fail("setting", "a search needs [[setting]]: what may change, and between which bounds");
+            return fail("setting",
+                        "a search requires [[setting]]: the settings that may change, and their bounds");
         for (const Setting& setting : search_.plan.settings) {
             if (std::holds_alternative<Normal>(setting.domain) ||
                 std::holds_alternative<Triangular>(setting.domain))
-                fail("setting", fmt::format("'{}': a search takes 'from' and 'to', 'values' or 'orders', no "
-                                            "distribution",
-                                            setting.keys.front()));
+                fail("setting",
+                     fmt::format(
+                         "'{}': a search supports 'from' and 'to', 'values' or 'orders', not a distribution",
+                         setting.keys.front()));
         }
     }
 
@@ -120,7 +123,7 @@ class SearchReader {
 
 }  // namespace
 
-tl::expected<SearchPlan, std::string> read_search(std::string_view toml_text, const std::string& file_name) {
+Result<SearchPlan> read_search(std::string_view toml_text, const std::string& file_name) {
     return read_plan(toml_text, file_name, PlanUse::search).and_then([&](Plan plan) {
         return SearchReader(toml_text, file_name, std::move(plan)).read();
     });

@@ -64,33 +64,33 @@ std::string failure_text(const Trial& trial) {
         if (!run.is_clean())
             return fmt::format("{}: {}", run.program, run.message.empty() ? run.status : run.message);
     }
-    return "beyond a limit of the search, or with more findings than the start";
+    return "it exceeds a limit of the search, or has more findings than the start";
 }
 
 std::string improvement_text(const SearchState& state) {
     if (!state.best.score.is_feasible())
-        return fmt::format("no variant is without a fault; the nearest one fails: {}\n",
+        return fmt::format("no variant is without errors; the closest one fails: {}\n",
                            failure_text(state.best));
-    if (state.best_number == 0) return "nothing that was tried is better than the start\n";
+    if (state.best_number == 0) return "no variant is better than the start\n";
     if (!state.start.score.is_feasible())
         return fmt::format("the start fails: {}\n", failure_text(state.start));
     const double start = state.start.score.value.value_or(0), best = state.best.score.value.value_or(0);
-    return fmt::format("the objective is less by {:.6g} ({:.2f} %)\n", start - best,
+    return fmt::format("the objective is reduced by {:.6g} ({:.2f} %)\n", start - best,
                        100 * (start - best) / std::max(std::abs(start), 1e-300));
 }
 
 std::string command_line(const Job& job) {
-    const OpenCommand command = run_command(run_inputs(job));
+    const ViewCommand command = run_command(run_inputs(job));
     if (command.left_out.empty()) return shell_line(command.words);
-    return fmt::format("{}   # without {}, which it has no word for", shell_line(command.words),
+    return fmt::format("{}   # without {}, for which it has no option", shell_line(command.words),
                        text::joined(command.left_out, ", "));
 }
 
 std::string verification_text(const std::optional<VerificationRun>& verification_run) {
     if (!verification_run) return {};
-    std::string text = "proven by runs of their own";
+    std::string text = "verified by separate runs";
     if (verification_run->best.lower_bound_s)
-        text += fmt::format("; no controller could take this way in less than {:.6g} s",
+        text += fmt::format("; the min time of this path with any controller is {:.6g} s",
                             *verification_run->best.lower_bound_s);
     if (verification_run->start.lower_bound_s)
         text += fmt::format(" (the start's: {:.6g} s)", *verification_run->start.lower_bound_s);
@@ -126,7 +126,7 @@ struct TrialPoint {
     bool feasible;
 };
 
-tl::expected<std::vector<TrialPoint>, std::string> read_trial_points(Database& results, std::int64_t search) {
+Result<std::vector<TrialPoint>> read_trial_points(Database& results, std::int64_t search) {
     auto rows = results.prepare(
         "SELECT DISTINCT number, value, violation FROM search_run WHERE search = ? AND value IS NOT NULL "
         "ORDER BY number");
@@ -148,7 +148,7 @@ std::string picture(const std::vector<TrialPoint>& trial_points) {
     for (const TrialPoint& dot : trial_points) {
         if (dot.feasible) values.push_back(dot.value);
     }
-    if (values.empty()) return "<p>No trial is without a fault.</p>";
+    if (values.empty()) return "<p>No variant is without errors.</p>";
     std::sort(values.begin(), values.end());
     // Much worse values are drawn at the upper edge, because the picture shows how the best ones converge.
     const double min = values.front();
@@ -164,7 +164,7 @@ std::string picture(const std::vector<TrialPoint>& trial_points) {
         return 12 + (1 - share) * (kTrialsHeight_px - kFoot_px - 24);
     };
     std::string svg =
-        fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\"><title>Trials of the search</title>",
+        fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\"><title>Variants of the search</title>",
                     kTrialsWidth_px, kTrialsHeight_px);
     std::string line;
     double best = INFINITY;
@@ -179,7 +179,7 @@ std::string picture(const std::vector<TrialPoint>& trial_points) {
     line += fmt::format(" {:.1f},{:.1f}", x(count), y(best));
     return svg + fmt::format(
                      "<polyline points=\"{}\"/><text x=\"{}\" y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" "
-                     "y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" y=\"{}\">{} trials</text></svg>",
+                     "y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" y=\"{}\">{} variants</text></svg>",
                      line, kLeft_px - 4, y(max) + 4, max, kLeft_px - 4, y(min) + 4, min, kTrialsWidth_px - 4,
                      kTrialsHeight_px - 6, trial_points.size());
 }
@@ -190,7 +190,7 @@ constexpr const char* kSearchPage = R"(<!DOCTYPE html>
 pre {{ overflow-x: auto; }} svg {{ width: 100%; max-width: 640px; }} text {{ font-size: 10px; text-anchor: end; fill: currentColor; }}
 .allowed {{ fill: #4a7ab5; }} .refused {{ fill: none; stroke: #b5524a; stroke-opacity: 0.5; }} polyline {{ fill: none; stroke: #4a7ab5; }}
 </style></head><body><h1>Search by {}</h1>
-{}<p>Each dot is a variant, one that is without a fault filled; the line is the best one so far.</p>
+{}<p>Each dot is a variant, filled if it has no errors; the line is the best one so far.</p>
 <pre>{}</pre></body></html>
 )";
 
@@ -198,7 +198,7 @@ pre {{ overflow-x: auto; }} svg {{ width: 100%; max-width: 640px; }} text {{ fon
 
 std::string to_text(const SearchPlan& search, const SearchState& state,
                     const std::optional<VerificationRun>& verification_run) {
-    std::string text = fmt::format("{} variants tried, {} without a fault\n", state.trials, state.feasible);
+    std::string text = fmt::format("{} variants tried, {} without errors\n", state.trials, state.feasible);
     text += fmt::format("  {:<36}{:>14}{:>14}\n", "", "start", "best");
     text += row("objective", state.start.score.value, state.best.score.value);
     for (const std::string_view metric : kMetrics) {
@@ -208,27 +208,27 @@ std::string to_text(const SearchPlan& search, const SearchState& state,
     }
     for (const SettingValue& setting : state.best.settings)
         text += fmt::format("  {:<50}{:>14}\n", setting.key, value_text(setting));
-    if (!state.complete) text += fmt::format("cut off; {} variants were to be tried\n", search.variants + 1);
+    if (!state.complete) text += fmt::format("interrupted; {} variants were planned\n", search.variants + 1);
     return text + improvement_text(state) + verification_text(verification_run);
 }
 
 std::string to_json(const SearchPlan& search, const SearchState& state,
                     const std::optional<VerificationRun>& verification_run) {
     ordered_json text{{"plan", search.plan.name},      {"search", state.search},
-                      {"whole", state.complete},       {"variants", state.trials},
+                      {"complete", state.complete},    {"variants", state.trials},
                       {"allowed", state.feasible},     {"best_number", state.best_number},
                       {"start", as_json(state.start)}, {"best", as_json(state.best)}};
     if (verification_run) {
-        text["proof"] = {{"start", bound_json(verification_run->start)},
-                         {"best", bound_json(verification_run->best)}};
-        for (const Job& job : verification_run->files) text["proof"]["commands"].push_back(command_line(job));
+        text["verification"] = {{"start", bound_json(verification_run->start)},
+                                {"best", bound_json(verification_run->best)}};
+        for (const Job& job : verification_run->files)
+            text["verification"]["commands"].push_back(command_line(job));
     }
     return text.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }
 
-tl::expected<std::string, std::string> to_html(const SearchPlan& search, const SearchState& state,
-                                               const std::optional<VerificationRun>& verification_run,
-                                               Database& results) {
+Result<std::string> to_html(const SearchPlan& search, const SearchState& state,
+                            const std::optional<VerificationRun>& verification_run, Database& results) {
     return read_trial_points(results, state.search).map([&](const std::vector<TrialPoint>& trial_points) {
         return fmt::format(fmt::runtime(kSearchPage), text::xml_text(search.plan.name), picture(trial_points),
                            text::xml_text(to_text(search, state, verification_run)));

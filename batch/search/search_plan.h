@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/plan/plan.h"
 
 namespace gsim::batch {
@@ -37,6 +36,6 @@ struct SearchPlan {
 };
 
 /// Reads a plan with its search part (docs/optimise.md). The error begins with its source location.
-tl::expected<SearchPlan, std::string> read_search(std::string_view toml_text, const std::string& file_name);
+Result<SearchPlan> read_search(std::string_view toml_text, const std::string& file_name);
 
 }  // namespace gsim::batch

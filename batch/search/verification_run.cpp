@@ -10,8 +10,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kTolerance = 1e-9;
 
 class Verifier {
@@ -21,13 +19,13 @@ class Verifier {
         : search_(search), start_runs_(state.start.runs), results_(results), evaluate_(evaluate) {}
 
     /// Repeats the runs of a variant as in the search, but with more reports.
-    tl::expected<VerificationRun::BoundedObjective, std::string> verify_variant(const Trial& trial) {
+    Result<VerificationRun::BoundedObjective> verify_variant(const Trial& trial) {
         const Plan plan = with_variants(with_reports(search_.plan), {trial.settings});
         return evaluate_runs(plan).and_then([&](const auto& runs) { return compare_runs(trial, runs); });
     }
 
-    tl::expected<VerificationRun::BoundedObjective, std::string> verify_files(const Trial& trial,
-                                                                              const std::vector<Job>& files) {
+    Result<VerificationRun::BoundedObjective> verify_files(const Trial& trial,
+                                                           const std::vector<Job>& files) {
         std::vector<RunMetrics> runs;
         for (const Job& job : files) {
             Plan plan = search_.plan;
@@ -48,18 +46,19 @@ class Verifier {
         return plan;
     }
 
-    tl::expected<std::vector<RunMetrics>, std::string> evaluate_runs(const Plan& plan) {
+    Result<std::vector<RunMetrics>> evaluate_runs(const Plan& plan) {
         const auto evaluated_batch = evaluate_(plan, true);
         if (!evaluated_batch) return Unexpected(evaluated_batch.error());
-        if (!evaluated_batch->complete) return Unexpected("cut off before the best variant was proven");
+        if (!evaluated_batch->complete)
+            return Unexpected("interrupted before the verification run of the best variant ended");
         auto results = Database::open(results_, true);
         if (!results) return Unexpected(results.error());
         return read_metrics(*results, evaluated_batch->batch, Jobs(plan).size());
     }
 
     /// Checks that all metrics that both have are the same.
-    tl::expected<VerificationRun::BoundedObjective, std::string> compare_runs(
-        const Trial& trial, const std::vector<RunMetrics>& runs) const {
+    Result<VerificationRun::BoundedObjective> compare_runs(const Trial& trial,
+                                                           const std::vector<RunMetrics>& runs) const {
         VerificationRun::BoundedObjective bounded{.value = compute_score(search_, runs, start_runs_).value,
                                                   .lower_bound_s = 0};
         for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -76,7 +75,7 @@ class Verifier {
     static std::string difference(const RunMetrics& original, const RunMetrics& verify_variant) {
         if (original.status != verify_variant.status || original.cause != verify_variant.cause)
             return fmt::format(
-                "a run of its own of '{}' ends otherwise than in the search: {} {} in place of {} {}{}",
+                "the verification run of '{}' differs from the search: {} {} instead of {} {}{}",
                 verify_variant.program, verify_variant.status, verify_variant.cause, original.status,
                 original.cause, verify_variant.message.empty() ? "" : " (" + verify_variant.message + ")");
         for (const auto& [metric, value] : original.metrics) {
@@ -84,7 +83,7 @@ class Verifier {
             if (!value ||
                 (other && std::abs(*other - *value) <= kTolerance * std::max(1.0, std::abs(*value))))
                 continue;
-            return fmt::format("a run of its own of '{}' has {} {} where the search had {}",
+            return fmt::format("the verification run of '{}' has {} {}, but the search had {}",
                                verify_variant.program, metric, other ? fmt::format("{}", *other) : "none",
                                *value);
         }
@@ -99,9 +98,9 @@ class Verifier {
 
 }  // namespace
 
-tl::expected<VerificationRun, std::string> verify_best(const SearchPlan& search, const SearchState& state,
-                                                       const std::string& results, const std::string& folder,
-                                                       const Evaluate& evaluate) {
+Result<VerificationRun> verify_best(const SearchPlan& search, const SearchState& state,
+                                    const std::string& results, const std::string& folder,
+                                    const Evaluate& evaluate) {
     Verifier verifier(search, state, results, evaluate);
     VerificationRun verification_run;
     auto start = verifier.verify_variant(state.start);

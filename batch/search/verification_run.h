@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/search/best_files.h"
 #include "batch/search/search.h"
 
@@ -24,8 +23,8 @@ struct VerificationRun {
 /// Runs the start and the best variant once more: the latter from the files that are written into `folder`,
 /// if it is given. The error: a metric of a run differs from that in the search, a file cannot be written, or
 /// the verification was cut off.
-tl::expected<VerificationRun, std::string> verify_best(const SearchPlan& search, const SearchState& state,
-                                                       const std::string& results, const std::string& folder,
-                                                       const Evaluate& evaluate);
+Result<VerificationRun> verify_best(const SearchPlan& search, const SearchState& state,
+                                    const std::string& results, const std::string& folder,
+                                    const Evaluate& evaluate);
 
 }  // namespace gsim::batch

@@ -22,8 +22,6 @@ namespace gsim::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Unexpected = tl::unexpected<std::string>;
-using VoidResult = tl::expected<void, std::string>;
 
 constexpr std::uint64_t kDefaultWorkerMemory_mb = 4096;
 constexpr std::chrono::milliseconds kClusterLockTimeout(60'000);
@@ -35,7 +33,7 @@ constexpr std::uint64_t kMinNode_mb = 256;
 constexpr std::uint64_t kTaskOverhead_mb = 128;
 
 /// Iterates over all jobs: those that were run before belong to the batch at once.
-tl::expected<Shards, std::string> find_pending_jobs(const Plan& plan, const ClusterOptions& options) {
+Result<Shards> find_pending_jobs(const Plan& plan, const ClusterOptions& options) {
     auto lock = os::FileLock::get(options.results, std::chrono::milliseconds(0));
     if (!lock) return Unexpected(lock.error());
     auto results = Results::open(options.results, Journal::rollback);
@@ -51,7 +49,7 @@ tl::expected<Shards, std::string> find_pending_jobs(const Plan& plan, const Clus
     shards.token = results->token();
     for (std::uint64_t number = 0; number < jobs.size(); ++number) {
         const Job job = jobs.job(number);
-        using LookupResult = tl::expected<std::optional<Results::StoredRun>, std::string>;
+        using LookupResult = Result<std::optional<Results::StoredRun>>;
         const LookupResult found = options.rerun
                                        ? LookupResult()
                                        : run_cache.find(*results, run_cache.run_key(job), job, options.retry);
@@ -67,14 +65,14 @@ tl::expected<Shards, std::string> find_pending_jobs(const Plan& plan, const Clus
     return shards;
 }
 
-VoidResult check_limits(const ClusterOptions& options, const ClusterLimits& limits) {
+Result<void> check_limits(const ClusterOptions& options, const ClusterLimits& limits) {
     if (limits.time_min && options.time_limit_min > *limits.time_min)
-        return Unexpected(fmt::format("partition '{}' allows {} minutes; {} are asked for (--time-limit)",
+        return Unexpected(fmt::format("partition '{}' allows {} minutes; {} are requested (--time-limit)",
                                       limits.partition, *limits.time_min, options.time_limit_min));
     const std::uint64_t memory_mb = options.memory_mb.value_or(0) * options.workers;
     if (limits.memory_mb.value_or(0) >= kMinNode_mb && memory_mb + kTaskOverhead_mb > *limits.memory_mb)
         return Unexpected(
-            fmt::format("the largest node of partition '{}' has {} MB; {} workers of {} MB are asked for",
+            fmt::format("the largest node of partition '{}' has {} MB; {} workers of {} MB are requested",
                         limits.partition, *limits.memory_mb, options.workers, *options.memory_mb));
     return {};
 }
@@ -86,8 +84,8 @@ std::uint64_t worker_memory_mb(const ClusterOptions& options, const ClusterLimit
                                      kDefaultWorkerMemory_mb);
 }
 
-VoidResult write_script(const fs::path& file, const std::string& words) {
-    VoidResult done =
+Result<void> write_script(const fs::path& file, const std::string& words) {
+    Result<void> done =
         os::write_file(file, fmt::format("#!/bin/sh\nexec {} {}\n", shell_word(current_executable()), words));
     std::error_code error;
     if (done) fs::permissions(file, fs::perms::owner_all, error);
@@ -95,25 +93,25 @@ VoidResult write_script(const fs::path& file, const std::string& words) {
     return done;
 }
 
-VoidResult write_folder(const fs::path& folder, const Plan& plan, const Shards& shards) {
+Result<void> write_folder(const fs::path& folder, const Plan& plan, const Shards& shards) {
     std::error_code error;
     fs::remove_all(folder, error);
     fs::create_directories(folder, error);
     if (error) return Unexpected(fmt::format("'{}': {}", folder.string(), error.message()));
-    const std::string folder_word = shell_word(folder.string());
+    const std::string quoted_folder = shell_word(folder.string());
     return write_stored_plan(folder, plan)
         .and_then([&] { return write_shards(folder, shards); })
         .and_then([&] {
             return write_script(folder / "task.sh",
-                                fmt::format("{} {} \"$SLURM_ARRAY_TASK_ID\"", kShardOption, folder_word));
+                                fmt::format("{} {} \"$SLURM_ARRAY_TASK_ID\"", kShardOption, quoted_folder));
         })
         .and_then([&] {
-            return write_script(folder / "gather.sh", fmt::format("{} {}", kGatherOption, folder_word));
+            return write_script(folder / "gather.sh", fmt::format("{} {}", kGatherOption, quoted_folder));
         });
 }
 
-VoidResult submit_jobs(const fs::path& folder, const ClusterOptions& options, const ClusterLimits& limits,
-                       Shards& shards) {
+Result<void> submit_jobs(const fs::path& folder, const ClusterOptions& options, const ClusterLimits& limits,
+                         Shards& shards) {
     const std::string working_folder = "--chdir=" + fs::current_path().string();
     const std::vector<std::string> common{"--partition=" + limits.partition, working_folder, "--requeue",
                                           "--open-mode=append", "--ntasks=1"};
@@ -129,17 +127,17 @@ VoidResult submit_jobs(const fs::path& folder, const ClusterOptions& options, co
     auto job = submit_job(array, (folder / "task.sh").string());
     if (!job) return Unexpected(job.error());
     shards.array_job = *std::move(job);
-    if (VoidResult written = write_shards(folder, shards); !written) return written;
+    if (Result<void> written = write_shards(folder, shards); !written) return written;
     std::vector<std::string> gather_options = common;
     gather_options.push_back("--job-name=gsim-gather");
     gather_options.push_back("--output=" + (folder / "gather.log").string());
     gather_options.push_back("--dependency=afterany:" + shards.array_job);
-    auto submitted_gather = submit_job(gather_options, (folder / "gather.sh").string());
-    if (!submitted_gather) {
+    auto gather_job_id = submit_job(gather_options, (folder / "gather.sh").string());
+    if (!gather_job_id) {
         static_cast<void>(cancel_jobs({shards.array_job}));
-        return Unexpected(submitted_gather.error());
+        return Unexpected(gather_job_id.error());
     }
-    shards.gather_job = *std::move(submitted_gather);
+    shards.gather_job = *std::move(gather_job_id);
     return write_shards(folder, shards);
 }
 
@@ -159,7 +157,7 @@ void count_queued(const std::string& state, ClusterState& count_text) {
     ++(fixed || state == "PENDING" || state == "REQUEUED" ? count_text.waiting : count_text.running);
 }
 
-tl::expected<ClusterState, std::string> query_shards(const fs::path& folder, const Shards& shards) {
+Result<ClusterState> query_shards(const fs::path& folder, const Shards& shards) {
     ClusterState state{.array_job = shards.array_job, .gather_job = shards.gather_job};
     state.batch = shards.batch;
     state.jobs = shards.jobs;
@@ -173,14 +171,14 @@ tl::expected<ClusterState, std::string> query_shards(const fs::path& folder, con
         if (!tasks) return Unexpected(tasks.error());
         queued.merge(*tasks);
     }
-    const auto is_queued = [&](std::int64_t folder_word) { return queued.contains(folder_word); };
+    const auto is_queued = [&](std::int64_t quoted_folder) { return queued.contains(quoted_folder); };
     for (std::uint64_t shard = 0; shard < shards.shards; ++shard) {
         const std::uint64_t expected_runs = shards.shard_jobs(shard).size();
         const std::uint64_t ran = shards.gathered ? 0 : count_rows(shard_file(folder, shard));
         state.ran += ran;
-        const auto folder_word = static_cast<std::int64_t>(shard);
-        if (is_queued(folder_word)) {
-            count_queued(queued[folder_word], state);
+        const auto quoted_folder = static_cast<std::int64_t>(shard);
+        if (is_queued(quoted_folder)) {
+            count_queued(queued[quoted_folder], state);
         } else if (shards.gathered || ran == expected_runs) {
             ++state.complete;
         } else {
@@ -191,14 +189,14 @@ tl::expected<ClusterState, std::string> query_shards(const fs::path& folder, con
     return state;
 }
 
-tl::expected<Shards, std::string> read_submitted_shards(const fs::path& folder, const std::string& results) {
-    return read_shards(folder).map_error([&](const std::string& message) {
-        return fmt::format("no batch of '{}' was submitted: {}", results, message);
+Result<Shards> read_submitted_shards(const fs::path& folder, const std::string& results) {
+    return read_shards(folder).map_error([&](const Error& error) {
+        return Error(fmt::format("no batch of '{}' was submitted: {}", results, error.message));
     });
 }
 
 /// Removes the files of an earlier submission, so that it is not run again.
-VoidResult clear_earlier_batch(const fs::path& folder) {
+Result<void> clear_earlier_batch(const fs::path& folder) {
     if (!fs::exists(folder / "shards.json")) return {};
     const auto shards = read_shards(folder);
     if (!shards) return Unexpected(shards.error());
@@ -206,27 +204,29 @@ VoidResult clear_earlier_batch(const fs::path& folder) {
     if (!state) return Unexpected(state.error());
     if (!state->has_ended())
         return Unexpected(
-            fmt::format("a batch of '{}' is under way: {}; --status tells more, --cancel ends it",
+            fmt::format("a batch of '{}' is running: {}; --status shows its state, --cancel cancels it",
                         shards->results, to_text(*state)));
     if (shards->gathered) return {};
     const auto gathered = gather(folder.string());
     if (!gathered)
-        return Unexpected(fmt::format("{}; what is there of it is in {}", gathered.error(), folder.string()));
+        return Unexpected(
+            fmt::format("{}; the available results are in {}", gathered.error().message, folder.string()));
     if (gathered->errors.empty()) return {};
-    return Unexpected(fmt::format("{}; remove {} where that is not wanted any more", gathered->errors.front(),
-                                  folder.string()));
+    return Unexpected(
+        fmt::format("{}; remove {} if it is no longer needed", gathered->errors.front(), folder.string()));
 }
 
 }  // namespace
 
-tl::expected<ClusterState, std::string> submit(const Plan& plan, const ClusterOptions& given_options) {
+Result<ClusterState> submit(const Plan& plan, const ClusterOptions& given_options) {
     ClusterOptions options = given_options;
     options.results = fs::absolute(given_options.results).string();
     const fs::path folder = shard_folder(options.results);
-    if (const VoidResult cleared = clear_earlier_batch(folder); !cleared) return Unexpected(cleared.error());
+    if (const Result<void> cleared = clear_earlier_batch(folder); !cleared)
+        return Unexpected(cleared.error());
     const auto limits = query_limits(options.partition);
     if (!limits) return Unexpected(limits.error());
-    if (const VoidResult checked = check_limits(options, *limits); !checked)
+    if (const Result<void> checked = check_limits(options, *limits); !checked)
         return Unexpected(checked.error());
     auto shards = find_pending_jobs(plan, options);
     if (!shards) return Unexpected(shards.error());
@@ -241,9 +241,9 @@ tl::expected<ClusterState, std::string> submit(const Plan& plan, const ClusterOp
     shards->workers = options.workers;
     shards->memory_mb = worker_memory_mb(options, *limits);
     shards->timeout_s = options.timeout_s;
-    if (const VoidResult written = write_folder(folder, plan, *shards); !written)
+    if (const Result<void> written = write_folder(folder, plan, *shards); !written)
         return Unexpected(written.error());
-    if (const VoidResult submitted = submit_jobs(folder, options, *limits, *shards); !submitted) {
+    if (const Result<void> submitted = submit_jobs(folder, options, *limits, *shards); !submitted) {
         shards->ended = true;
         static_cast<void>(write_shards(folder, *shards));
         return Unexpected(submitted.error());
@@ -257,13 +257,12 @@ std::string cluster_in_use_error(const std::string& results) {
     const auto shards = read_shards(folder);
     if (shards && (shards->gathered || shards->ended)) return {};
     return fmt::format(
-        "'{}' belongs to a batch on a cluster that is not gathered; --status tells of it, --cancel ends it, "
-        "and "
-        "--slurm submits what it has lost",
+        "'{}' belongs to a batch on a cluster that is not merged; --status shows its state, --cancel cancels "
+        "it, and --slurm submits its lost runs again",
         results);
 }
 
-tl::expected<ClusterState, std::string> query_state(const std::string& results) {
+Result<ClusterState> query_state(const std::string& results) {
     const fs::path folder = shard_folder(fs::absolute(results).string());
     const auto shards = read_submitted_shards(folder, results);
     if (!shards) return Unexpected(shards.error());
@@ -271,16 +270,16 @@ tl::expected<ClusterState, std::string> query_state(const std::string& results) 
 }
 
 std::string to_text(const ClusterState& state) {
-    std::string text = fmt::format("{} runs, {} there before", state.jobs, state.reused);
-    if (state.shards == 0) return text + "; nothing is to be run";
-    text += fmt::format("; {} shards (job {}): {} whole, {} running, {} waiting, {} lost", state.shards,
+    std::string text = fmt::format("{} runs, {} reused", state.jobs, state.reused);
+    if (state.shards == 0) return text + "; no runs are pending";
+    text += fmt::format("; {} shards (job {}): {} complete, {} running, {} waiting, {} lost", state.shards,
                         state.array_job, state.complete, state.running, state.waiting, state.lost);
     if (state.fixed > 0)
-        text += fmt::format("; {} are held until somebody releases them (scontrol release)", state.fixed);
-    return text + (state.gathered ? "; gathered" : fmt::format("; {} have a row", state.ran));
+        text += fmt::format("; {} are held until they are released (scontrol release)", state.fixed);
+    return text + (state.gathered ? "; merged" : fmt::format("; {} finished", state.ran));
 }
 
-tl::expected<ClusterState, std::string> cancel(const std::string& results) {
+Result<ClusterState> cancel(const std::string& results) {
     const fs::path folder = shard_folder(fs::absolute(results).string());
     const auto shards = read_submitted_shards(folder, results);
     if (!shards) return Unexpected(shards.error());
@@ -297,18 +296,18 @@ tl::expected<ClusterState, std::string> cancel(const std::string& results) {
     auto ended = read_shards(folder);
     if (!ended) return Unexpected(ended.error());
     ended->ended = true;
-    if (const VoidResult written = write_shards(folder, *ended); !written) return Unexpected(written.error());
+    if (const Result<void> written = write_shards(folder, *ended); !written)
+        return Unexpected(written.error());
     if (!gathered->errors.empty()) return Unexpected(gathered->errors.front());
     return query_state(results);
 }
 
-tl::expected<bool, std::string> run_shard(const std::string& folder, std::uint64_t shard,
-                                          const std::atomic<bool>& stop) {
+Result<bool> run_shard(const std::string& folder, std::uint64_t shard, const std::atomic<bool>& stop) {
     const auto shards = read_shards(folder);
     if (!shards) return Unexpected(shards.error());
     const auto plan = read_stored_plan(folder);
     if (!plan) return Unexpected(plan.error());
-    if (shard >= shards->shards) return Unexpected(fmt::format("there are {} shards", shards->shards));
+    if (shard >= shards->shards) return Unexpected(fmt::format("the batch has {} shards", shards->shards));
     const auto tally = run_batch(*plan,
                                  {.results = shard_file(folder, shard).string(),
                                   .workers = shards->workers,
@@ -321,7 +320,7 @@ tl::expected<bool, std::string> run_shard(const std::string& folder, std::uint64
     return tally->complete;
 }
 
-tl::expected<GatherResult, std::string> gather(const std::string& folder) {
+Result<GatherResult> gather(const std::string& folder) {
     auto shards = read_shards(folder);
     if (!shards) return Unexpected(shards.error());
     auto lock = os::FileLock::get(shards->results, kClusterLockTimeout);
@@ -335,14 +334,14 @@ tl::expected<GatherResult, std::string> gather(const std::string& folder) {
         const fs::path file = shard_file(folder, shard);
         if (!fs::exists(file)) continue;
         if (const auto merge_result = results->merge(file.string()); !merge_result)
-            gathered.errors.push_back(fmt::format("{}: {}", file.string(), merge_result.error()));
+            gathered.errors.push_back(fmt::format("{}: {}", file.string(), merge_result.error().message));
     }
     const auto recorded = results->recorded();
     if (!recorded) return Unexpected(recorded.error());
     gathered.complete = *recorded == shards->jobs;
     if (const auto ended = results->end_batch(gathered.complete); !ended) return Unexpected(ended.error());
     shards->gathered = gathered.complete;
-    if (const VoidResult written = write_shards(folder, *shards); !written)
+    if (const Result<void> written = write_shards(folder, *shards); !written)
         return Unexpected(written.error());
     // All runs of the shard files are in the results.
     std::error_code ignored;

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/plan/plan.h"
 
 namespace gsim::batch {
@@ -45,30 +44,29 @@ struct ClusterState {
 /// the results. Results of an earlier submission are gathered first, so that the same command again submits
 /// only lost jobs. The error is a message: a batch in progress, a limit of the cluster, or the output of
 /// sbatch.
-tl::expected<ClusterState, std::string> submit(const Plan& plan, const ClusterOptions& options);
+Result<ClusterState> submit(const Plan& plan, const ClusterOptions& options);
 
 /// Returns a message why no other program may run into a file of results: a cluster works on it. Empty if
 /// none does.
 std::string cluster_in_use_error(const std::string& results);
 
 /// Queries the progress by the files and the queue.
-tl::expected<ClusterState, std::string> query_state(const std::string& results);
+Result<ClusterState> query_state(const std::string& results);
 /// Returns a text for people.
 std::string to_text(const ClusterState& state);
 
 /// Ends all tasks, and gathers the existing results.
-tl::expected<ClusterState, std::string> cancel(const std::string& results);
+Result<ClusterState> cancel(const std::string& results);
 
 /// Runs a shard, or continues it, as the work of a task. Returns true if it is complete.
-tl::expected<bool, std::string> run_shard(const std::string& folder, std::uint64_t shard,
-                                          const std::atomic<bool>& stop);
+Result<bool> run_shard(const std::string& folder, std::uint64_t shard, const std::atomic<bool>& stop);
 
 struct GatherResult {
     bool complete = false;                 ///< All of the batch is there.
     std::vector<std::string> errors = {};  ///< Messages about files of shards that cannot be read.
 };
 /// Copies the results of the shards into the file of results; may be repeated.
-tl::expected<GatherResult, std::string> gather(const std::string& folder);
+Result<GatherResult> gather(const std::string& folder);
 
 /// Words with which tasks call this program, in front of the folder (and a shard's number).
 inline constexpr const char* kShardOption = "--shard";

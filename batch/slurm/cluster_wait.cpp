@@ -4,9 +4,8 @@
 
 namespace gsim::batch {
 
-tl::expected<ClusterState, std::string> wait_until_over(const std::string& results,
-                                                        const std::atomic<bool>& stop,
-                                                        std::chrono::milliseconds poll) {
+Result<ClusterState> wait_until_ended(const std::string& results, const std::atomic<bool>& stop,
+                                      std::chrono::milliseconds poll) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::minutes kMaxOutage(2);
     auto last_response = Clock::now();

@@ -4,8 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/slurm/cluster_batch.h"
 
 namespace gsim::batch {
@@ -13,8 +12,7 @@ namespace gsim::batch {
 /// Waits until no job of these results' batch is in the queue, or until `stop`; checks at each interval
 /// `poll`. A controller may be unavailable for a while. Returns the final state, or the reason why it is
 /// unknown.
-tl::expected<ClusterState, std::string> wait_until_over(const std::string& results,
-                                                        const std::atomic<bool>& stop,
-                                                        std::chrono::milliseconds poll);
+Result<ClusterState> wait_until_ended(const std::string& results, const std::atomic<bool>& stop,
+                                      std::chrono::milliseconds poll);
 
 }  // namespace gsim::batch

@@ -15,12 +15,10 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 /// Runs a program and returns its output.
-tl::expected<std::string, std::string> command_output(const std::vector<std::string>& command) {
+Result<std::string> command_output(const std::vector<std::string>& command) {
     const os::FileHandle in(std::fopen("/dev/null", "rb")), out(std::tmpfile());
-    if (!in || !out) return Unexpected("cannot make a temporary file");
+    if (!in || !out) return Unexpected("cannot create a temporary file");
     if (const auto ran = os::run_child(command, in.get(), out.get()); !ran) return Unexpected(ran.error());
     std::string text;
     char chunk[4096];
@@ -52,7 +50,7 @@ std::string field_value(const std::map<std::string, std::string>& fields, const 
 }
 
 /// Returns the partition for jobs that name none: sinfo marks it with a star at the end.
-tl::expected<std::string, std::string> default_partition() {
+Result<std::string> default_partition() {
     const auto names = command_output({"sinfo", "--noheader", "--format=%P"});
     if (!names) return Unexpected(names.error());
     for (const std::string& line : split_lines(*names)) {
@@ -62,7 +60,7 @@ tl::expected<std::string, std::string> default_partition() {
     return Unexpected("this cluster has no default partition; name one (--partition)");
 }
 
-tl::expected<std::optional<std::uint64_t>, std::string> largest_memory_mb(const std::string& partition) {
+Result<std::optional<std::uint64_t>> largest_memory_mb(const std::string& partition) {
     const auto output = command_output({"sinfo", "--noheader", "--partition=" + partition, "--format=%m"});
     if (!output) return Unexpected(output.error());
     std::optional<std::uint64_t> max;
@@ -94,9 +92,9 @@ std::map<std::string, std::string> read_fields(std::string_view text) {
     return fields;
 }
 
-tl::expected<std::optional<std::uint64_t>, std::string> read_minutes(std::string_view text) {
+Result<std::optional<std::uint64_t>> read_minutes(std::string_view text) {
     if (text == "UNLIMITED" || text == "INFINITE") return std::nullopt;
-    const auto invalid = [&] { return Unexpected(fmt::format("'{}' is no time of Slurm's", text)); };
+    const auto invalid = [&] { return Unexpected(fmt::format("'{}' is not a Slurm time", text)); };
     std::uint64_t days = 0;
     std::string_view remaining_text = text;
     const std::size_t dash = text.find('-');
@@ -122,10 +120,10 @@ tl::expected<std::optional<std::uint64_t>, std::string> read_minutes(std::string
     return (days * 24 + hours) * 60 + minutes;
 }
 
-tl::expected<ClusterLimits, std::string> query_limits(const std::string& partition) {
+Result<ClusterLimits> query_limits(const std::string& partition) {
     ClusterLimits limits{.partition = partition};
     const auto config = command_output({"scontrol", "show", "config"});
-    if (!config) return Unexpected("no cluster answers: " + config.error());
+    if (!config) return Unexpected("the cluster does not respond: " + config.error().message);
     // Array indices are below it.
     limits.max_array_tasks =
         parse_integer(field_value(read_fields(*config), "MaxArraySize")).value_or(1001) - 1;
@@ -147,8 +145,7 @@ tl::expected<ClusterLimits, std::string> query_limits(const std::string& partiti
     return limits;
 }
 
-tl::expected<std::string, std::string> submit_job(const std::vector<std::string>& options,
-                                                  const std::string& script) {
+Result<std::string> submit_job(const std::vector<std::string>& options, const std::string& script) {
     std::vector<std::string> command{"sbatch", "--parsable"};
     command.insert(command.end(), options.begin(), options.end());
     command.push_back(script);
@@ -158,13 +155,13 @@ tl::expected<std::string, std::string> submit_job(const std::vector<std::string>
     });
 }
 
-tl::expected<std::map<std::int64_t, std::string>, std::string> queued_tasks(const std::string& job) {
+Result<std::map<std::int64_t, std::string>> queued_tasks(const std::string& job) {
     std::map<std::int64_t, std::string> tasks;
     const auto output =
         command_output({"squeue", "--noheader", "--array", "--format=%K %T %r", "--jobs=" + job});
     if (!output) {
         // squeue prints this if it has forgotten a job.
-        if (output.error().find("Invalid job id") != std::string::npos) return tasks;
+        if (output.error().message.find("Invalid job id") != std::string::npos) return tasks;
         return Unexpected(output.error());
     }
     for (const std::string& line : split_lines(*output)) {
@@ -181,12 +178,12 @@ tl::expected<std::map<std::int64_t, std::string>, std::string> queued_tasks(cons
     return tasks;
 }
 
-tl::expected<void, std::string> cancel_jobs(const std::vector<std::string>& jobs) {
+Result<void> cancel_jobs(const std::vector<std::string>& jobs) {
     for (const std::string& job : jobs) {
         if (job.empty()) continue;
         // A job that Slurm has forgotten has ended.
         const auto output = command_output({"scancel", job});
-        if (!output && output.error().find("Invalid job id") == std::string::npos)
+        if (!output && output.error().message.find("Invalid job id") == std::string::npos)
             return Unexpected(output.error());
     }
     return {};

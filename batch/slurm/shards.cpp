@@ -40,7 +40,7 @@ std::vector<std::uint64_t> decode_ranges(const json& ranges) {
     return numbers;
 }
 
-tl::expected<std::string, std::string> read_file(const fs::path& file) {
+Result<std::string> read_file(const fs::path& file) {
     return os::read_input(file, os::NameSource::in_file, kMostBytes);
 }
 
@@ -82,14 +82,14 @@ std::uint64_t shard_count(std::uint64_t jobs, std::uint64_t each, std::uint64_t 
     return std::clamp<std::uint64_t>((jobs + each - 1) / each, 1, std::max<std::uint64_t>(max, 1));
 }
 
-tl::expected<void, std::string> write_shards(const fs::path& folder, const Shards& shards) {
+Result<void> write_shards(const fs::path& folder, const Shards& shards) {
     json text = json::object();
     for_each_state_field(shards, [&](const char* name, const auto& value) { text[name] = value; });
     text["todo"] = encode_ranges(shards.pending_jobs);
     return os::write_file(folder / "shards.json", text.dump(1) + '\n', os::Durability::disk);
 }
 
-tl::expected<Shards, std::string> read_shards(const fs::path& folder) {
+Result<Shards> read_shards(const fs::path& folder) {
     const auto text = read_file(folder / "shards.json");
     if (!text) return tl::unexpected(text.error());
     try {
@@ -99,15 +99,15 @@ tl::expected<Shards, std::string> read_shards(const fs::path& folder) {
         shards.pending_jobs = decode_ranges(read.at("todo"));
         return shards;
     } catch (const json::exception& error) {
-        return tl::unexpected(fmt::format("{}: {}", folder.string(), error.what()));
+        return Unexpected(fmt::format("{}: {}", folder.string(), error.what()));
     }
 }
 
-tl::expected<void, std::string> write_stored_plan(const fs::path& folder, const Plan& plan) {
+Result<void> write_stored_plan(const fs::path& folder, const Plan& plan) {
     return os::write_file(folder / "plan.json", print_plan_json(plan) + '\n', os::Durability::disk);
 }
 
-tl::expected<Plan, std::string> read_stored_plan(const fs::path& folder) {
+Result<Plan> read_stored_plan(const fs::path& folder) {
     return read_file(folder / "plan.json").and_then([](const std::string& text) {
         return read_plan_json(text);
     });

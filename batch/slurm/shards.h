@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/plan/plan.h"
 
 namespace gsim::batch {
@@ -40,9 +39,9 @@ std::filesystem::path shard_file(const std::filesystem::path& folder, std::uint6
 std::uint64_t shard_count(std::uint64_t jobs, std::uint64_t each, std::uint64_t max);
 
 /// Writes the files of a folder (the next functions read them). The errors are messages.
-tl::expected<void, std::string> write_shards(const std::filesystem::path& folder, const Shards& shards);
-tl::expected<Shards, std::string> read_shards(const std::filesystem::path& folder);
-tl::expected<void, std::string> write_stored_plan(const std::filesystem::path& folder, const Plan& plan);
-tl::expected<Plan, std::string> read_stored_plan(const std::filesystem::path& folder);
+Result<void> write_shards(const std::filesystem::path& folder, const Shards& shards);
+Result<Shards> read_shards(const std::filesystem::path& folder);
+Result<void> write_stored_plan(const std::filesystem::path& folder, const Plan& plan);
+Result<Plan> read_stored_plan(const std::filesystem::path& folder);
 
 }  // namespace gsim::batch

@@ -11,7 +11,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
 using nlohmann::json;
 
 struct Run {
@@ -25,7 +24,7 @@ struct Run {
 using Runs = std::vector<Run>;
 
 /// Returns runs by program and machine, in the order of their jobs.
-tl::expected<std::map<std::pair<std::string, std::string>, Runs>, std::string> read_runs(Database& results) {
+Result<std::map<std::pair<std::string, std::string>, Runs>> read_runs(Database& results) {
     auto rows = results.prepare("SELECT program, machine, status, cause, settings, cycle_time_s FROM latest");
     if (!rows) return Unexpected(rows.error());
     std::map<std::pair<std::string, std::string>, Runs> runs;
@@ -113,7 +112,7 @@ std::string pairs_query(std::string_view first, std::string_view second, std::st
         numbered_query(first), numbered_query(second), condition);
 }
 
-tl::expected<Comparison, std::string> compare(Statement& pairs, std::string first, std::string second) {
+Result<Comparison> compare(Statement& pairs, std::string first, std::string second) {
     Comparison comparison{.first = std::move(first), .second = std::move(second)};
     std::vector<double> differences_s;
     while (true) {
@@ -138,7 +137,7 @@ tl::expected<Comparison, std::string> compare(Statement& pairs, std::string firs
 
 }  // namespace
 
-tl::expected<std::vector<Study>, std::string> read_studies(Database& results) {
+Result<std::vector<Study>> read_studies(Database& results) {
     return read_runs(results).map([](const auto& all) {
         std::vector<Study> studies;
         for (const auto& [names, runs] : all) {
@@ -148,7 +147,7 @@ tl::expected<std::vector<Study>, std::string> read_studies(Database& results) {
     });
 }
 
-tl::expected<std::vector<Comparison>, std::string> compare_machines(Database& results) {
+Result<std::vector<Comparison>> compare_machines(Database& results) {
     auto machines = results.prepare("SELECT machine FROM latest GROUP BY machine ORDER BY min(job)");
     if (!machines) return Unexpected(machines.error());
     std::vector<std::string> names;
@@ -171,7 +170,7 @@ tl::expected<std::vector<Comparison>, std::string> compare_machines(Database& re
     return comparisons;
 }
 
-tl::expected<Comparison, std::string> compare_batches(Database& results, std::int64_t before) {
+Result<Comparison> compare_batches(Database& results, std::int64_t before) {
     auto batches = results.prepare(
         "SELECT max(id), coalesce(?, (SELECT max(id) FROM batch WHERE id < (SELECT max(id) FROM batch))) "
         "FROM batch");
@@ -182,11 +181,10 @@ tl::expected<Comparison, std::string> compare_batches(Database& results, std::in
         batches->bind_null(1);
     }
     if (const auto row = batches->step(); !row || !*row)
-        return Unexpected(row ? fmt::format("there is no batch in '{}'", results.file()) : row.error());
+        return Unexpected(row ? fmt::format("'{}' contains no batch", results.file()) : row.error().message);
     const std::int64_t latest = batches->integer(0), other = batches->integer(1);
     if (other <= 0 || other >= latest)
-        return Unexpected(
-            fmt::format("there is no such batch before the latest one in '{}'", results.file()));
+        return Unexpected(fmt::format("'{}' contains no earlier batch to compare with", results.file()));
     // The same program on the same machine is compared, even if their texts have changed.
     auto pairs =
         results.prepare(pairs_query("(SELECT run.*, batch_run.job FROM batch_run JOIN run ON run.id = "

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/statistics/regression.h"
 #include "batch/statistics/sample.h"
 #include "batch/store/sqlite.h"
@@ -24,7 +23,7 @@ struct Study {
 };
 
 /// Returns a study for each program and machine with at least two runs.
-tl::expected<std::vector<Study>, std::string> read_studies(Database& results);
+Result<std::vector<Study>> read_studies(Database& results);
 
 /// Comparison of two machines, or two batches, by the runs that both have: of the same program with the same
 /// settings.
@@ -38,9 +37,9 @@ struct Comparison {
     double first_s = 0, second_s = 0;  ///< Sums over those.
 };
 /// Compares each machine of the latest batch with the first one.
-tl::expected<std::vector<Comparison>, std::string> compare_machines(Database& results);
+Result<std::vector<Comparison>> compare_machines(Database& results);
 /// Compares the latest batch with the one of that number before it; 0: with the last one before.
-tl::expected<Comparison, std::string> compare_batches(Database& results, std::int64_t before);
+Result<Comparison> compare_batches(Database& results, std::int64_t before);
 
 std::string to_text(const Study& study);
 std::string to_text(const Comparison& comparison);

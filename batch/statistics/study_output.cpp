@@ -43,8 +43,8 @@ ordered_json as_json(const SampleSummary& summary) {
             {"mean", summary.mean},
             {"mean_interval_95", as_json(summary.mean_interval)},
             {"deviation", summary.deviation},
-            {"least", summary.min},
-            {"most", summary.max},
+            {"min", summary.min},
+            {"max", summary.max},
             {"percentiles", percentiles},
             {"runs_for_1_percent", summary.runs_for_percent}};
 }
@@ -140,30 +140,29 @@ std::string to_text(const Study& study) {
                     100 * study.failed_share.min.value_or(0), 100 * study.failed_share.max.value_or(1));
     for (const auto& [cause, count] : study.causes) text += fmt::format("    {:>8}  {}\n", count, cause);
     if (study.time.count == 0) return text;
-    text += fmt::format("  cycle time  {:.6g} s in the mean ({}), deviation {:.4g} s, {:.6g} to {:.6g} s\n",
+    text += fmt::format("  cycle time  mean {:.6g} s ({}), deviation {:.4g} s, {:.6g} to {:.6g} s\n",
                         study.time.mean, format_interval(study.time.mean_interval), study.time.deviation,
                         study.time.min, study.time.max);
     for (const Percentile& each : study.time.percentiles)
         text += fmt::format("  {:>6.4g} %     {:.6g} s ({})\n", 100 * each.share, each.value,
                             format_interval(each.interval));
-    text += fmt::format("  {} runs tell the mean to 1 %\n", study.time.runs_for_percent);
+    text += fmt::format("  {} runs are required for the mean within 1 %\n", study.time.runs_for_percent);
     if (study.sensitivity.effects.empty()) return text;
-    text += fmt::format("  by regression, which explains {:.3g} % of the spread:\n",
+    text += fmt::format("  by regression, which explains {:.3g} % of the variance:\n",
                         100 * study.sensitivity.explained);
     for (const Sensitivity::SettingEffect& part : study.sensitivity.effects)
-        text +=
-            fmt::format("    {:+.3f}  {}  ({:+.4g} s by one)\n", part.coefficient, part.setting, part.slope);
+        text += fmt::format("    {:+.3f}  {}  ({:+.4g} s per unit)\n", part.coefficient, part.setting,
+                            part.slope);
     return text;
 }
 
 std::string to_text(const Comparison& comparison) {
     std::string text = fmt::format(
-        "{} against {}: {} pairs, {} take less, {} take more; the first alone fails {}, the second alone "
-        "{}\n",
+        "{} compared with {}: {} pairs, {} faster, {} slower; only the first fails {}, only the second {}\n",
         machine_or_none(comparison.second), machine_or_none(comparison.first), comparison.pairs,
         comparison.faster, comparison.slower, comparison.fails_first, comparison.fails_second);
     if (comparison.difference_s.count == 0) return text;
-    return text + fmt::format("  {:+.6g} s in the mean ({}), {:.6g} s in place of {:.6g} s in all\n",
+    return text + fmt::format("  mean {:+.6g} s ({}), total {:.6g} s instead of {:.6g} s\n",
                               comparison.difference_s.mean,
                               format_interval(comparison.difference_s.mean_interval), comparison.second_s,
                               comparison.first_s);

@@ -8,8 +8,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 // All columns except the id.
 constexpr const char* kColumns =
     "key, program, program_sha256, machine, machine_sha256, machine_name, controller, options, settings, "
@@ -25,12 +23,12 @@ struct JobRun {
 };
 
 /// Returns the jobs of the other file that have no run here, in their order.
-tl::expected<std::vector<JobRun>, std::string> find_missing_runs(Database& database, std::int64_t batch) {
+Result<std::vector<JobRun>> find_missing_runs(Database& database, std::int64_t batch) {
     // A process that was killed at once leaves a file without tables.
     auto tables = database.prepare("SELECT count(*) FROM other.sqlite_schema WHERE name = 'batch_run'");
     if (!tables) return Unexpected(tables.error());
     if (const auto row = tables->step(); !row || tables->integer(0) == 0)
-        return row ? tl::expected<std::vector<JobRun>, std::string>() : Unexpected(row.error());
+        return row ? Result<std::vector<JobRun>>() : Unexpected(row.error());
     // The newest run of each job is taken, because a requeued task has begun another batch in the same file.
     auto rows = database.prepare(
         "SELECT theirs.job, theirs.run FROM other.batch_run theirs JOIN (SELECT job, max(batch) AS batch "
@@ -53,7 +51,7 @@ tl::expected<std::vector<JobRun>, std::string> find_missing_runs(Database& datab
 /// Copier of runs from a database that is attached as `other`.
 class Copier {
   public:
-    static tl::expected<Copier, std::string> of(Database& database) {
+    static Result<Copier> of(Database& database) {
         Copier copier;
         for (
             const auto& [statement, sql] :
@@ -84,11 +82,11 @@ class Copier {
     }
 
     /// Copies a run; returns its number in this file.
-    tl::expected<std::int64_t, std::string> copy(std::int64_t run) {
+    Result<std::int64_t> copy(std::int64_t run) {
         run_->bind(1, run);
         const auto row = run_->step();
         if (!row) return Unexpected(row.error());
-        if (!*row) return Unexpected(fmt::format("run {} is not there", run));
+        if (!*row) return Unexpected(fmt::format("run {} not found", run));
         const std::int64_t new_run = run_->integer(0);
         input_->bind(1, run);
         for (std::optional<Statement>* each : {&setting_, &report_, &picture_, &run_input_})
@@ -108,9 +106,9 @@ class Copier {
 
 }  // namespace
 
-tl::expected<std::uint64_t, std::string> Results::merge(const std::string& file) {
+Result<std::uint64_t> Results::merge(const std::string& file) {
     // SQLite attaches no database within a transaction.
-    auto attach = database_.execute("COMMIT").and_then([&]() -> SqlResult {
+    auto attach = database_.execute("COMMIT").and_then([&]() -> Result<void> {
         auto statement = database_.prepare("ATTACH DATABASE ? AS other");
         if (!statement) return Unexpected(statement.error());
         statement->bind(1, file);
@@ -121,7 +119,7 @@ tl::expected<std::uint64_t, std::string> Results::merge(const std::string& file)
         static_cast<void>(database_.execute("BEGIN IMMEDIATE"));
         return Unexpected(attach.error());
     }
-    auto merge_result = [&]() -> tl::expected<std::uint64_t, std::string> {
+    auto merge_result = [&]() -> Result<std::uint64_t> {
         if (const auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return Unexpected(begun.error());
         const auto pairs = find_missing_runs(database_, batch_);
         if (!pairs) return Unexpected(pairs.error());

@@ -17,14 +17,13 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
 using nlohmann::json;
 
 constexpr std::size_t kMaxCauseLength = 60;  // characters of a message in the summary
 
 /// Calls `take` with the statement at each row of a query.
 template <typename Visitor>
-SqlResult for_each_row(Database& results, std::string_view query, const Visitor& on_row) {
+Result<void> for_each_row(Database& results, std::string_view query, const Visitor& on_row) {
     auto rows = results.prepare(query);
     if (!rows) return Unexpected(rows.error());
     while (true) {
@@ -111,7 +110,7 @@ std::string truncated(std::string_view message) {
 
 }  // namespace
 
-SqlResult write_csv(Database& results, std::string_view query, const Sink& sink) {
+Result<void> write_csv(Database& results, std::string_view query, const Sink& sink) {
     const auto columns = results.prepare(query);
     if (!columns) return Unexpected(columns.error());
     std::vector<std::string> names;
@@ -131,7 +130,7 @@ SqlResult write_csv(Database& results, std::string_view query, const Sink& sink)
     });
 }
 
-SqlResult write_json_lines(Database& results, std::string_view query, const Sink& sink) {
+Result<void> write_json_lines(Database& results, std::string_view query, const Sink& sink) {
     return for_each_row(results, query, [&](const Statement& row) {
         nlohmann::ordered_json line;
         for (int column = 0; column < row.columns(); ++column)
@@ -140,14 +139,14 @@ SqlResult write_json_lines(Database& results, std::string_view query, const Sink
     });
 }
 
-SqlResult write_junit(Database& results, const Sink& sink) {
+Result<void> write_junit(Database& results, const Sink& sink) {
     if (!sink("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"gsim-batch\">\n"))
         return Unexpected("it cannot be written");
-    struct Suite {
+    struct JunitSuite {
         std::string machine;
         std::int64_t runs = 0, failed = 0;
     };
-    std::vector<Suite> suites;
+    std::vector<JunitSuite> suites;
     auto count_text = for_each_row(
         results,
         "SELECT machine, count(*), sum(status <> 'completed' OR cause <> '') FROM latest GROUP BY machine",
@@ -160,7 +159,7 @@ SqlResult write_junit(Database& results, const Sink& sink) {
         "SELECT machine, program, status, cause, message, cpu_s, settings, file, line FROM latest WHERE "
         "machine = ?");
     if (!cases) return Unexpected(cases.error());
-    for (const Suite& suite : suites) {
+    for (const JunitSuite& suite : suites) {
         if (!sink(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
                               text::xml_text(machine_name(suite.machine)), suite.runs, suite.failed)))
             return Unexpected("it cannot be written");
@@ -173,10 +172,10 @@ SqlResult write_junit(Database& results, const Sink& sink) {
         }
         sink("  </testsuite>\n");
     }
-    return sink("</testsuites>\n") ? SqlResult() : Unexpected("it cannot be written");
+    return sink("</testsuites>\n") ? Result<void>() : Unexpected("it cannot be written");
 }
 
-SqlResult write_sarif(Database& results, const Sink& sink) {
+Result<void> write_sarif(Database& results, const Sink& sink) {
     std::vector<engine::Diagnostic> diagnostics;
     std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, std::string, std::string>> known;
     auto gathered = for_each_row(
@@ -192,10 +191,10 @@ SqlResult write_sarif(Database& results, const Sink& sink) {
             return true;
         });
     if (!gathered) return gathered;
-    return sink(engine::findings_sarif(diagnostics)) ? SqlResult() : Unexpected("it cannot be written");
+    return sink(engine::findings_sarif(diagnostics)) ? Result<void>() : Unexpected("it cannot be written");
 }
 
-tl::expected<std::string, std::string> summary(Database& results) {
+Result<std::string> summary(Database& results) {
     std::string text;
     const auto machines =
         for_each_row(results, "SELECT machine, controller, runs, failed, cycle_time_s FROM machines",

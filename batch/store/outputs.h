@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/store/sqlite.h"
 
 namespace gsim::batch {
@@ -14,10 +13,10 @@ namespace gsim::batch {
 using Sink = std::function<bool(std::string_view)>;
 
 /// Writes the rows of a query as CSV (RFC 4180), after a line with the column names.
-SqlResult write_csv(Database& results, std::string_view query, const Sink& sink);
+Result<void> write_csv(Database& results, std::string_view query, const Sink& sink);
 /// Does the same as JSON, one object a line. Columns of JSON (settings, options, extents, findings) are
 /// values.
-SqlResult write_json_lines(Database& results, std::string_view query, const Sink& sink);
+Result<void> write_json_lines(Database& results, std::string_view query, const Sink& sink);
 
 /// All runs of the latest batch, with all columns.
 inline constexpr std::string_view kAllColumnsQuery = "SELECT * FROM latest";
@@ -32,12 +31,12 @@ inline constexpr std::string_view kTableColumnsQuery =
     "latest";
 
 /// Writes the latest batch in the JUnit format: a suite for each machine, a case for each run.
-SqlResult write_junit(Database& results, const Sink& sink);
+Result<void> write_junit(Database& results, const Sink& sink);
 /// Writes the findings of the programs of the latest batch as SARIF 2.1.0: each finding once, for any number
 /// of machines.
-SqlResult write_sarif(Database& results, const Sink& sink);
+Result<void> write_sarif(Database& results, const Sink& sink);
 
 /// Returns a summary of the latest batch for people: causes of failures, and the machines.
-tl::expected<std::string, std::string> summary(Database& results);
+Result<std::string> summary(Database& results);
 
 }  // namespace gsim::batch

@@ -15,8 +15,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 std::string now_utc() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
@@ -30,7 +28,7 @@ std::int64_t as_int64(std::uint64_t number) {
     return static_cast<std::int64_t>(number);
 }
 
-tl::expected<std::int64_t, std::string> query_number(Database& database, const char* query) {
+Result<std::int64_t> query_number(Database& database, const char* query) {
     auto prepared_query = database.prepare(query);
     if (!prepared_query) return Unexpected(prepared_query.error());
     const auto row = prepared_query->step();
@@ -46,24 +44,24 @@ std::string version_2_sql() {
     return sql + fmt::format("PRAGMA user_version = {};", kSchemaVersion);
 }
 
-SqlResult create_tables(Database& database) {
+Result<void> create_tables(Database& database) {
     return database.execute(fmt::format("BEGIN; {} PRAGMA application_id = {}; {} COMMIT;", kSchema,
                                         kApplicationId, version_2_sql()));
 }
 
 /// A new file gets its tables, an existing one must have them.
-SqlResult check_or_create_tables(Database& database) {
+Result<void> check_or_create_tables(Database& database) {
     const auto tables = query_number(database, "SELECT count(*) FROM sqlite_schema");
     if (!tables) return Unexpected(tables.error());
     if (*tables == 0) return create_tables(database);
     const auto application = query_number(database, "PRAGMA application_id");
     const auto version = query_number(database, "PRAGMA user_version");
     if (!application || *application != kApplicationId)
-        return Unexpected(fmt::format("'{}' is no file of results", database.file()));
+        return Unexpected(fmt::format("'{}' is not a results file", database.file()));
     if (version && *version == 1) return database.execute(fmt::format("BEGIN; {} COMMIT;", version_2_sql()));
     if (!version || *version != kSchemaVersion)
         return Unexpected(
-            fmt::format("'{}' is of another version of this program; take a new file", database.file()));
+            fmt::format("'{}' is of another version of this program; use a new file", database.file()));
     return {};
 }
 
@@ -75,7 +73,7 @@ bool has_version(Database& database, std::int64_t version) {
 }
 
 /// Returns the number of a statement that gives one row with one number.
-tl::expected<std::int64_t, std::string> read_integer(Statement& statement) {
+Result<std::int64_t> read_integer(Statement& statement) {
     const auto row = statement.step();
     if (!row) return Unexpected(row.error());
     const std::int64_t number = *row ? statement.integer(0) : 0;
@@ -110,7 +108,7 @@ Results::~Results() {
     statements_.reset();
 }
 
-tl::expected<Results, std::string> Results::open(const std::string& file, Journal journal) {
+Result<Results> Results::open(const std::string& file, Journal journal) {
     auto database = Database::open(file);
     if (!database) return Unexpected(database.error());
     const char* mode = journal == Journal::write_ahead
@@ -120,7 +118,9 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
     if (const auto created = check_or_create_tables(*database); !created) return Unexpected(created.error());
     const auto prepared = [&](std::string_view sql) {
         auto statement = database->prepare(sql);
-        if (!statement) throw std::runtime_error("a statement of ours is wrong: " + statement.error());
+        if (!statement)
+            throw std::runtime_error("internal error, an SQL statement is not valid: " +
+                                     statement.error().message);
         return *std::move(statement);
     };
     auto statements = std::make_unique<Statements>(Statements{
@@ -152,7 +152,7 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
     return Results(*std::move(database), std::move(statements));
 }
 
-SqlResult Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
+Result<void> Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
     if (auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
     Statement& add = statements_->begin_batch;
     token_ = new_token();
@@ -160,7 +160,7 @@ SqlResult Results::begin_batch(const std::string& plan, std::uint64_t jobs, cons
     return read_integer(add).map([&](std::int64_t batch) { batch_ = batch; });
 }
 
-SqlResult Results::resume_batch(std::int64_t batch, const std::string& token) {
+Result<void> Results::resume_batch(std::int64_t batch, const std::string& token) {
     auto known = database_.prepare("SELECT count(*) FROM batch WHERE id = ? AND token = ?");
     if (!known) return Unexpected(known.error());
     known->bind(1, batch).bind(2, token);
@@ -172,23 +172,23 @@ SqlResult Results::resume_batch(std::int64_t batch, const std::string& token) {
     return database_.execute("BEGIN IMMEDIATE");
 }
 
-tl::expected<std::uint64_t, std::string> Results::recorded() {
+Result<std::uint64_t> Results::recorded() {
     auto count = database_.prepare("SELECT count(*) FROM batch_run WHERE batch = ?");
     if (!count) return Unexpected(count.error());
     count->bind(1, batch_);
     return read_integer(*count).map([](std::int64_t number) { return static_cast<std::uint64_t>(number); });
 }
 
-SqlResult Results::end_batch(bool complete) {
+Result<void> Results::end_batch(bool complete) {
     statements_->end_batch.bind(1, now_utc()).bind(2, std::int64_t{complete}).bind(3, batch_);
     return statements_->end_batch.run().and_then([&] { return database_.execute("COMMIT"); });
 }
 
-SqlResult Results::commit() {
+Result<void> Results::commit() {
     return database_.execute("COMMIT; BEGIN IMMEDIATE");
 }
 
-tl::expected<bool, std::string> Results::is_current(std::int64_t run, const FileHash& file_hash) {
+Result<bool> Results::is_current(std::int64_t run, const FileHash& file_hash) {
     Statement& inputs = statements_->inputs;
     inputs.bind(1, run);
     bool current = true;
@@ -200,10 +200,8 @@ tl::expected<bool, std::string> Results::is_current(std::int64_t run, const File
     }
 }
 
-tl::expected<std::optional<Results::StoredRun>, std::string> Results::find(const std::string& key,
-                                                                           const FileHash& file_hash,
-                                                                           StoredDocuments requested,
-                                                                           bool retry) {
+Result<std::optional<Results::StoredRun>> Results::find(const std::string& key, const FileHash& file_hash,
+                                                        StoredDocuments requested, bool retry) {
     std::vector<StoredRun> candidates, lost_runs;
     Statement& find = statements_->find;
     find.bind(1, key);
@@ -230,30 +228,32 @@ tl::expected<std::optional<Results::StoredRun>, std::string> Results::find(const
     return std::nullopt;
 }
 
-tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKey& key, const RunRow& row,
-                                                     const std::string& version) {
+Result<std::int64_t> Results::add(const Job& job, const RunKey& key, const RunRow& row,
+                                  const std::string& version) {
     Statement& add = statements_->add;
     int at = 0;
     const auto bind_next = [&](const auto& value) { add.bind(++at, value); };
     for (const std::string& text :
          {key.key, job.program, key.program_sha256, job.machine, key.machine_sha256, row.machine,
           row.controller, job.options.dump(), settings_json(job.settings).dump(), version, now_utc(),
-          row.status, row.cause, row.message, row.file})
+          row.outcome.status, row.outcome.cause, row.outcome.message, row.outcome.file})
         bind_next(std::string_view(text));
-    bind_next(std::int64_t{row.line});
+    bind_next(std::int64_t{row.outcome.line});
     for (const std::optional<double> metric :
-         {std::optional(row.cycle_time_s), row.min_s, row.max_s, std::optional(row.rapid_s),
-          std::optional(row.feed_s), std::optional(row.dwell_s), std::optional(row.rapid_mm),
-          std::optional(row.feed_mm), std::optional(row.process_on_mm)})
+         {std::optional(row.times.cycle_s), row.times.min_s, row.times.max_s,
+          std::optional(row.times.rapid_s), std::optional(row.times.feed_s), std::optional(row.times.dwell_s),
+          std::optional(row.distances.rapid_mm), std::optional(row.distances.feed_mm),
+          std::optional(row.distances.process_on_mm)})
         bind_next(metric);
     for (const std::uint64_t count :
-         {row.blocks, row.moves, row.violations, row.collisions, row.process_findings, row.warnings})
+         {row.counts.blocks, row.counts.moves, row.counts.violations, row.counts.collisions,
+          row.counts.process_findings, row.counts.warnings})
         bind_next(as_int64(count));
     bind_next(row.energy_j);
     bind_next(std::string_view(row.extents));
     bind_next(std::string_view(row.findings));
     for (const std::optional<double> metric : {std::optional(row.cpu_s), row.clearance_mm, row.deviation_mm,
-                                               row.joint_speed_share, row.lower_bound_s})
+                                               row.joint_speed_share, row.times.lower_bound_s})
         bind_next(metric);
     auto run = read_integer(add);
     if (!run) return run;
@@ -268,18 +268,18 @@ tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKe
         if (const auto done = statements_->setting.run(); !done) return Unexpected(done.error());
     }
     if (const auto done = add_inputs(*run, row); !done) return Unexpected(done.error());
-    if (!row.report.empty()) {
-        statements_->report.bind(1, *run).bind(2, row.report);
+    if (!row.documents.report.empty()) {
+        statements_->report.bind(1, *run).bind(2, row.documents.report);
         if (const auto done = statements_->report.run(); !done) return Unexpected(done.error());
     }
-    if (!row.picture.empty()) {
-        statements_->picture.bind(1, *run).bind(2, row.picture);
+    if (!row.documents.picture.empty()) {
+        statements_->picture.bind(1, *run).bind(2, row.documents.picture);
         if (const auto done = statements_->picture.run(); !done) return Unexpected(done.error());
     }
     return run;
 }
 
-SqlResult Results::add_inputs(std::int64_t run, const RunRow& row) {
+Result<void> Results::add_inputs(std::int64_t run, const RunRow& row) {
     for (const ReadFile& file : row.files) {
         statements_->input.bind(1, file.name).bind(2, file.sha256);
         const auto input = read_integer(statements_->input);
@@ -290,7 +290,7 @@ SqlResult Results::add_inputs(std::int64_t run, const RunRow& row) {
     return {};
 }
 
-SqlResult Results::record(std::uint64_t job, std::int64_t run, bool reused) {
+Result<void> Results::record(std::uint64_t job, std::int64_t run, bool reused) {
     statements_->record.bind(1, batch_).bind(2, as_int64(job)).bind(3, run).bind(4, std::int64_t{reused});
     return statements_->record.run();
 }

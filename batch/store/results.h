@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/store/sqlite.h"
 #include "batch/work/job.h"
 #include "batch/work/run_row.h"
@@ -40,21 +39,20 @@ void upgrade_schema(const std::string& file);
 class Results {
   public:
     /// Opens the file, or creates it. The error is a message: it is of another kind, or of a newer version.
-    static tl::expected<Results, std::string> open(const std::string& file,
-                                                   Journal journal = Journal::write_ahead);
+    static Result<Results> open(const std::string& file, Journal journal = Journal::write_ahead);
     Results(Results&&) noexcept;
     Results& operator=(Results&&) = delete;
     ~Results();
 
     /// Begins a batch: `jobs` of them by this plan. All runs that are recorded from now on belong to it.
-    SqlResult begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version);
+    Result<void> begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version);
     /// Continues a batch that another process began. The error: it is not in this file.
-    SqlResult resume_batch(std::int64_t batch, const std::string& token);
+    Result<void> resume_batch(std::int64_t batch, const std::string& token);
     std::int64_t batch() const { return batch_; }
     /// Returns the token that distinguishes a batch from all others, also in other files.
     const std::string& token() const { return token_; }
     /// Ends the batch, as complete or as cut off.
-    SqlResult end_batch(bool complete);
+    Result<void> end_batch(bool complete);
 
     struct StoredRun {
         std::int64_t run = 0;
@@ -62,28 +60,27 @@ class Results {
     };
     /// Finds a run by its key that is still valid. All files that it has read are unchanged, and it has the
     /// requested documents. It did not end by an error that another attempt may avoid (`retry`).
-    tl::expected<std::optional<StoredRun>, std::string> find(const std::string& key,
-                                                             const FileHash& file_hash,
-                                                             StoredDocuments requested, bool retry);
+    Result<std::optional<StoredRun>> find(const std::string& key, const FileHash& file_hash,
+                                          StoredDocuments requested, bool retry);
     /// Adds a new run; returns its number.
-    tl::expected<std::int64_t, std::string> add(const Job& job, const RunKey& key, const RunRow& row,
-                                                const std::string& version);
+    Result<std::int64_t> add(const Job& job, const RunKey& key, const RunRow& row,
+                             const std::string& version);
     /// Records the run for a job of the batch.
-    SqlResult record(std::uint64_t job, std::int64_t run, bool reused);
+    Result<void> record(std::uint64_t job, std::int64_t run, bool reused);
     /// Copies the runs that another file has for its jobs. Jobs of this batch that already have a run are
     /// skipped. Returns the number of copied runs.
-    tl::expected<std::uint64_t, std::string> merge(const std::string& file);
+    Result<std::uint64_t> merge(const std::string& file);
     /// Returns the number of jobs of the batch that have a run.
-    tl::expected<std::uint64_t, std::string> recorded();
+    Result<std::uint64_t> recorded();
     /// Commits the additions so far to the disk, so that others see them.
-    SqlResult commit();
+    Result<void> commit();
 
   private:
     struct Statements;
 
     Results(Database database, std::unique_ptr<Statements> statements);
-    tl::expected<bool, std::string> is_current(std::int64_t run, const FileHash& file_hash);
-    SqlResult add_inputs(std::int64_t run, const RunRow& row);
+    Result<bool> is_current(std::int64_t run, const FileHash& file_hash);
+    Result<void> add_inputs(std::int64_t run, const RunRow& row);
 
     Database database_;
     std::unique_ptr<Statements> statements_;

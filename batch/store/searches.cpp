@@ -4,14 +4,12 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr const char* kSqlNow = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
 
 }  // namespace
 
-tl::expected<std::int64_t, std::string> begin_search(Database& results, const std::string& plan,
-                                                     const std::string& objective, std::uint64_t seed) {
+Result<std::int64_t> begin_search(Database& results, const std::string& plan, const std::string& objective,
+                                  std::uint64_t seed) {
     auto add = results.prepare(
         std::string("INSERT INTO search (plan, objective, seed, began_at) VALUES (?, ?, ?, ") + kSqlNow +
         ") RETURNING id");
@@ -23,7 +21,7 @@ tl::expected<std::int64_t, std::string> begin_search(Database& results, const st
     return add->run().map([&] { return search; });
 }
 
-SqlResult add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows) {
+Result<void> add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows) {
     auto add = results.prepare(
         "INSERT OR IGNORE INTO search_run (search, number, run, generation, value, violation) VALUES (?, ?, "
         "?, ?, ?, "
@@ -45,7 +43,7 @@ SqlResult add_trials(Database& results, std::int64_t search, std::span<const Tri
     return results.execute("COMMIT");
 }
 
-SqlResult end_search(Database& results, std::int64_t search, std::uint64_t best) {
+Result<void> end_search(Database& results, std::int64_t search, std::uint64_t best) {
     auto end =
         results.prepare(std::string("UPDATE search SET ended_at = ") + kSqlNow + ", best = ? WHERE id = ?");
     if (!end) return Unexpected(end.error());

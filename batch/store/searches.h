@@ -5,8 +5,7 @@
 #include <span>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/store/sqlite.h"
 
 namespace gsim::batch {
@@ -21,10 +20,10 @@ struct TrialRow {
 };
 
 /// Begins a search in a file of results that has its tables. No other process writes meanwhile.
-tl::expected<std::int64_t, std::string> begin_search(Database& results, const std::string& plan,
-                                                     const std::string& objective, std::uint64_t seed);
-SqlResult add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows);
+Result<std::int64_t> begin_search(Database& results, const std::string& plan, const std::string& objective,
+                                  std::uint64_t seed);
+Result<void> add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows);
 /// Ends a search, with the number of the best trial.
-SqlResult end_search(Database& results, std::int64_t search, std::uint64_t best);
+Result<void> end_search(Database& results, std::int64_t search, std::uint64_t best);
 
 }  // namespace gsim::batch

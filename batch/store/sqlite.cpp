@@ -67,18 +67,18 @@ Statement& Statement::bind_null(int parameter) {
     return check_bind(sqlite3_bind_null(statement_.get(), parameter));
 }
 
-tl::expected<bool, std::string> Statement::step() {
+Result<bool> Statement::step() {
     if (const int bind_status = std::exchange(bind_status_, SQLITE_OK); bind_status != SQLITE_OK)
-        return tl::unexpected(fmt::format("'{}': {}", *file_, sqlite3_errstr(bind_status)));
+        return Unexpected(fmt::format("'{}': {}", *file_, sqlite3_errstr(bind_status)));
     const int status = sqlite3_step(statement_.get());
     if (status == SQLITE_ROW) return true;
-    tl::expected<bool, std::string> ended = false;
-    if (status != SQLITE_DONE) ended = tl::unexpected(sqlite_message(database_, *file_));
+    Result<bool> ended = false;
+    if (status != SQLITE_DONE) ended = Unexpected(sqlite_message(database_, *file_));
     sqlite3_reset(statement_.get());
     return ended;
 }
 
-SqlResult Statement::run() {
+Result<void> Statement::run() {
     while (true) {
         const auto row = step();
         if (!row) return tl::unexpected(row.error());
@@ -120,7 +120,7 @@ double Statement::number(int column) const {
     return sqlite3_column_double(statement_.get(), column);
 }
 
-tl::expected<Database, std::string> Database::open(const std::string& file, bool read_only) {
+Result<Database> Database::open(const std::string& file, bool read_only) {
     if (!read_only) return open_with_flags(file, file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     // If the file is writable, the last program that closes it removes the auxiliary files of SQLite.
     auto database = open_with_flags(file, file, SQLITE_OPEN_READWRITE);
@@ -129,23 +129,22 @@ tl::expected<Database, std::string> Database::open(const std::string& file, bool
     return open_with_flags(file, immutable_uri(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
-tl::expected<Database, std::string> Database::open_with_flags(const std::string& file,
-                                                              const std::string& name, int flags) {
+Result<Database> Database::open_with_flags(const std::string& file, const std::string& name, int flags) {
     sqlite3* opened = nullptr;
     const int status = sqlite3_open_v2(name.c_str(), &opened, flags, nullptr);
     Database database(opened, file);
     if (status != SQLITE_OK)
-        return tl::unexpected(fmt::format("'{}' cannot be opened: {}", file, sqlite3_errstr(status)));
+        return Unexpected(fmt::format("'{}' cannot be opened: {}", file, sqlite3_errstr(status)));
     sqlite3_busy_timeout(opened, kBusyTimeout_ms);
     return database;
 }
 
-SqlResult Database::execute(const std::string& sql) {
+Result<void> Database::execute(const std::string& sql) {
     if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return {};
     return tl::unexpected(sqlite_message(database_.get(), *file_));
 }
 
-tl::expected<Statement, std::string> Database::prepare(std::string_view sql) {
+Result<Statement> Database::prepare(std::string_view sql) {
     sqlite3_stmt* statement = nullptr;
     if (sqlite3_prepare_v3(database_.get(), sql.data(), static_cast<int>(sql.size()),
                            SQLITE_PREPARE_PERSISTENT, &statement, nullptr) != SQLITE_OK)

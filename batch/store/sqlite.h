@@ -7,17 +7,15 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace gsim::batch {
 
-/// Result of an SQL statement; the error is a message of SQLite after the file's name.
-using SqlResult = tl::expected<void, std::string>;
-
-/// One SQL statement with its parameters, to be stepped through. Creating it again for the same SQL costs no
+/// One SQL statement with its parameters, to be stepped through. Errors have the message of SQLite after the
+/// file's name. Creating it again for the same SQL costs no
 /// more than its steps. It must be destroyed before its database.
 class Statement {
   public:
@@ -30,9 +28,9 @@ class Statement {
     /// Reads the next row; returns true if one exists. After the last row the statement may be bound again.
     /// Reports also a parameter that was not accepted (longer than SQLite's 1,000,000,000 bytes, or out of
     /// memory).
-    tl::expected<bool, std::string> step();
+    Result<bool> step();
     /// Runs a statement without rows to its end; it may then be bound again.
-    SqlResult run();
+    Result<void> run();
 
     /// Returns the number of columns of the current row of step(). Columns count from 0.
     int columns() const;
@@ -64,15 +62,15 @@ class Database {
   public:
     /// Opens a file, or creates it; `read_only`: an existing one, which is not changed. The error is a
     /// message with the file's name.
-    static tl::expected<Database, std::string> open(const std::string& file, bool read_only = false);
+    static Result<Database> open(const std::string& file, bool read_only = false);
 
     /// Returns the name with which it was opened.
     const std::string& file() const { return *file_; }
 
     /// Executes statements without parameters and rows, separated by semicolons.
-    SqlResult execute(const std::string& sql);
+    Result<void> execute(const std::string& sql);
     /// Prepares one statement. The error: invalid SQL, or a name in it does not exist.
-    tl::expected<Statement, std::string> prepare(std::string_view sql);
+    Result<Statement> prepare(std::string_view sql);
 
   private:
     struct Close {
@@ -80,8 +78,7 @@ class Database {
     };
     Database(sqlite3* database, const std::string& file)
         : file_(std::make_shared<const std::string>(file)), database_(database) {}
-    static tl::expected<Database, std::string> open_with_flags(const std::string& file,
-                                                               const std::string& name, int flags);
+    static Result<Database> open_with_flags(const std::string& file, const std::string& name, int flags);
 
     std::shared_ptr<const std::string> file_;
     std::unique_ptr<sqlite3, Close> database_;

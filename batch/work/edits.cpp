@@ -14,7 +14,6 @@ namespace gsim::batch {
 namespace {
 
 using nlohmann::json;
-using Unexpected = tl::unexpected<std::string>;
 
 constexpr std::array kPrefixes{kMachinePrefix, kCellPrefix, kRobotsPrefix,
                                kDataPrefix,    kPathPrefix, kOptionPrefix};
@@ -55,19 +54,19 @@ struct KeyMatch {
     const json* value = nullptr;  ///< Null: the key is new.
 };
 
-tl::expected<KeyMatch, std::string> find(const json& document, const std::string& key) {
+Result<KeyMatch> find(const json& document, const std::string& key) {
     KeyMatch found{.path = {}, .value = &document};
     for (const std::string& word : split_key(key)) {
         if (found.value != nullptr && found.value->is_array()) {
             const auto index = find_element(*found.value, word);
-            if (!index) return Unexpected(fmt::format("'{}': there is no '{}'", key, word));
+            if (!index) return Unexpected(fmt::format("'{}': '{}' does not exist", key, word));
             found.path.emplace_back(*index);
             found.value = &(*found.value)[*index];
             continue;
         }
         if (found.value != nullptr && !found.value->is_object())
             return Unexpected(
-                fmt::format("'{}': nothing is below '{}'", key, base::display_text(found.path)));
+                fmt::format("'{}': '{}' is a value without keys", key, base::display_text(found.path)));
         found.path.emplace_back(word);
         if (found.value != nullptr)
             found.value = found.value->contains(word) ? &found.value->at(word) : nullptr;
@@ -75,13 +74,13 @@ tl::expected<KeyMatch, std::string> find(const json& document, const std::string
     return found;
 }
 
-tl::expected<json, std::string> edited_value(const SettingValue& setting, const json* old) {
+Result<json> edited_value(const SettingValue& setting, const json* old) {
     if (setting.use == SettingUse::set) return setting.value;
     const auto value = setting.value.get<double>();
     if (setting.use == SettingUse::shift && old == nullptr) return value;  // what is not said is 0
     if (old == nullptr || !old->is_number())
-        return Unexpected(fmt::format("'{}': {} needs a number in the file", setting.key,
-                                      setting.use == SettingUse::factor ? "a factor" : "what is added"));
+        return Unexpected(fmt::format("'{}': {} requires a number in the file", setting.key,
+                                      setting.use == SettingUse::factor ? "a factor" : "an added value"));
     return setting.use == SettingUse::factor ? old->get<double>() * value : old->get<double>() + value;
 }
 
@@ -104,45 +103,45 @@ std::vector<SettingValue> settings_with_prefix(std::span<const SettingValue> set
     return found;
 }
 
-std::string check_key_name(const std::string& key) {
+std::optional<Error> find_key_name_error(const std::string& key) {
     const auto prefix = std::find_if(kPrefixes.begin(), kPrefixes.end(),
                                      [&](std::string_view each) { return key.starts_with(each); });
     if (prefix == kPrefixes.end())
-        return fmt::format("'{}' should begin with '{}'", key, text::joined(kPrefixes, "', '"));
+        return fmt::format("'{}' must begin with '{}'", key, text::joined(kPrefixes, "', '"));
     const std::vector<std::string> words = split_key(std::string_view(key).substr(prefix->size()));
     if (std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.empty(); }))
         return fmt::format("'{}' has an empty name between its dots", key);
     if (*prefix == kDataPrefix && words.size() != 3)
-        return fmt::format("'{}' should be data.SECTION.ID.FIELD, as data.OFFSET.54.X", key);
-    if (*prefix == kPathPrefix) return check_path_key(key.substr(prefix->size()));
-    if (*prefix == kOptionPrefix && words.size() != 1) return fmt::format("'{}' is no option", key);
+        return fmt::format("'{}' must be data.SECTION.ID.FIELD, such as data.OFFSET.54.X", key);
+    if (*prefix == kPathPrefix) return find_path_key_error(key.substr(prefix->size()));
+    if (*prefix == kOptionPrefix && words.size() != 1) return fmt::format("'{}' is not an option", key);
     return {};
 }
 
-tl::expected<std::string, std::string> edit_toml(std::string text, const std::string& file,
-                                                 std::span<const SettingValue> settings) {
+Result<std::string> edit_toml(std::string text, const std::string& file,
+                              std::span<const SettingValue> settings) {
     auto edit = base::TomlEditor::read(std::move(text), file);
     if (!edit) return Unexpected(edit.error());
     for (const SettingValue& setting : settings) {
         const auto found = find(edit->value(), setting.key);
-        if (!found) return Unexpected(fmt::format("{}: {}", file, found.error()));
+        if (!found) return Unexpected(fmt::format("{}: {}", file, found.error().message));
         const auto value = edited_value(setting, found->value);
-        if (!value) return Unexpected(fmt::format("{}: {}", file, value.error()));
+        if (!value) return Unexpected(fmt::format("{}: {}", file, value.error().message));
         if (const auto done = edit->set(found->path, *value); !done)
-            return Unexpected(fmt::format("{}: {}", file, done.error()));
+            return Unexpected(fmt::format("{}: {}", file, done.error().message));
     }
     return edit->text();
 }
 
-tl::expected<std::string, std::string> edit_data(std::string_view text, const std::string& file,
-                                                 std::span<const SettingValue> settings) {
+Result<std::string> edit_data(std::string_view text, const std::string& file,
+                              std::span<const SettingValue> settings) {
     auto data = engine::MachineData::read(text, file);
     if (!data) return Unexpected(data.error().message);
     for (const SettingValue& setting : settings) {
         const std::vector<std::string> words = split_key(setting.key);
         if (setting.use != SettingUse::set)
-            return Unexpected(
-                fmt::format("'{}': machine data take values, no factors and nothing added", setting.key));
+            return Unexpected(fmt::format(
+                "'{}': machine data support only values, no factors and no added values", setting.key));
         const std::string change = words[2] + "=" + print_value(setting.value);
         if (const auto set = data->set(words[0], words[1], {&change, 1}); !set)
             return Unexpected(fmt::format("{}: {}", file, set.error().message));

@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/work/job.h"
 
 namespace gsim::batch {
@@ -23,17 +22,17 @@ inline constexpr std::string_view kOptionPrefix = "option.";
 std::vector<SettingValue> settings_with_prefix(std::span<const SettingValue> settings,
                                                std::string_view prefix);
 
-/// Returns the reason why a setting must not have this key; empty if it may.
-std::string check_key_name(const std::string& key);
+/// Returns an error if a setting must not have this key.
+std::optional<Error> find_key_name_error(const std::string& key);
 
 /// Returns the text of a machine file, a cell or a file of robots (TOML) with changed values. Keys are names
-/// and indices separated by dots: "axis.X.max_mm". The error is a message.
-tl::expected<std::string, std::string> edit_toml(std::string text, const std::string& file,
-                                                 std::span<const SettingValue> settings);
+/// and indices separated by dots: "axis.X.max_mm".
+Result<std::string> edit_toml(std::string text, const std::string& file,
+                              std::span<const SettingValue> settings);
 
 /// Returns the text of machine data with changed values. Keys are a section, an entry and a field:
-/// "OFFSET.54.X", in the unit of the entry. The error is a message.
-tl::expected<std::string, std::string> edit_data(std::string_view text, const std::string& file,
-                                                 std::span<const SettingValue> settings);
+/// "OFFSET.54.X", in the unit of the entry.
+Result<std::string> edit_data(std::string_view text, const std::string& file,
+                              std::span<const SettingValue> settings);
 
 }  // namespace gsim::batch

@@ -29,7 +29,7 @@ std::shared_ptr<const InputFiles::Content> InputFiles::get(const std::string& na
     if (!state) return nullptr;
     if (const auto found = files_.find(name);
         found != files_.end() && found->second.state == *state && found->second.content != nullptr) {
-        by_last_use_.splice(by_last_use_.begin(), by_last_use_, found->second.position);
+        names_by_last_use_.splice(names_by_last_use_.begin(), names_by_last_use_, found->second.position);
         return found->second.content;
     }
     auto bytes = os::read_input(name, os::NameSource::command_line, kMaxFileBytes);
@@ -55,21 +55,21 @@ std::string InputFiles::file_hash(const std::string& name) {
 void InputFiles::store(const std::string& name, CacheEntry entry) {
     if (const auto old = files_.find(name); old != files_.end() && old->second.content != nullptr) {
         bytes_ -= old->second.content->bytes.size();
-        by_last_use_.erase(old->second.position);
+        names_by_last_use_.erase(old->second.position);
     }
     if (entry.content != nullptr) {
         bytes_ += entry.content->bytes.size();
-        entry.position = by_last_use_.insert(by_last_use_.begin(), name);
+        entry.position = names_by_last_use_.insert(names_by_last_use_.begin(), name);
     }
     files_.insert_or_assign(name, std::move(entry));
-    while (bytes_ > kMaxCachedBytes && !by_last_use_.empty()) evict_oldest();
+    while (bytes_ > kMaxCachedBytes && !names_by_last_use_.empty()) evict_oldest();
 }
 
 void InputFiles::evict_oldest() {
-    CacheEntry& oldest = files_.at(by_last_use_.back());
+    CacheEntry& oldest = files_.at(names_by_last_use_.back());
     bytes_ -= oldest.content->bytes.size();
     oldest.content = nullptr;
-    by_last_use_.pop_back();
+    names_by_last_use_.pop_back();
 }
 
 }  // namespace gsim::batch

@@ -47,7 +47,7 @@ class InputFiles {
     void evict_oldest();
 
     std::unordered_map<std::string, CacheEntry> files_;
-    std::list<std::string> by_last_use_;  ///< Names of contents, the one that was used last in front.
+    std::list<std::string> names_by_last_use_;  ///< Names of contents, the one that was used last in front.
     std::size_t bytes_ = 0;
 };
 

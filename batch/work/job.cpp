@@ -22,7 +22,7 @@ std::string print_job(const Job& job) {
         .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-tl::expected<Job, std::string> read_job(std::string_view line) {
+Result<Job> read_job(std::string_view line) {
     try {
         const json read = text::parse_json<json>(line);
         Job job{.number = read.at("number"),
@@ -35,7 +35,7 @@ tl::expected<Job, std::string> read_job(std::string_view line) {
             job.settings.push_back({setting.at(0), setting.at(1), setting.at(2)});
         return job;
     } catch (const json::exception& error) {
-        return tl::unexpected(fmt::format("no job: {}", error.what()));
+        return Unexpected(fmt::format("not a job: {}", error.what()));
     }
 }
 

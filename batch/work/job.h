@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/text/json.h"
 
 namespace gsim::batch {
@@ -51,8 +50,8 @@ struct Job {
 
 /// Returns the job as a line of JSON, without a line feed.
 std::string print_job(const Job& job);
-/// Reads such a line. The error is a message.
-tl::expected<Job, std::string> read_job(std::string_view line);
+/// Reads such a line.
+Result<Job> read_job(std::string_view line);
 
 /// Returns the settings as JSON: {"machine.axis.X.max_speed_mm_s": 500, ...}; a factor as "x 1.1", an addend
 /// as "+ 1.1".

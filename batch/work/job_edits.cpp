@@ -14,9 +14,6 @@ namespace gsim::batch {
 
 namespace {
 
-using VoidResult = tl::expected<void, std::string>;
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr const char* kBuiltInName = "built-in machine.toml";
 
 /// Editor that replaces the files of the settings by edited texts.
@@ -25,7 +22,7 @@ class Edits {
     Edits(const Job& job, engine::Request& request, RunFiles& files)
         : job_(job), request_(request), files_(files) {}
 
-    VoidResult make() {
+    Result<void> make() {
         // The cell comes first, because a changed cell may name another machine.
         return cell().and_then([&] { return robots(); }).and_then([&] { return machine(); }).and_then([&] {
             return data();
@@ -34,7 +31,7 @@ class Edits {
 
   private:
     /// Returns the text of a file that is referenced by name.
-    tl::expected<std::string, std::string> find_and_read(engine::NameKind kind, std::string& name) {
+    Result<std::string> find_and_read(engine::NameKind kind, std::string& name) {
         auto found = request_.host.find(kind, name);
         if (!found) return Unexpected(found.error());
         name = *std::move(found);
@@ -43,7 +40,7 @@ class Edits {
         return *std::move(text);
     }
 
-    VoidResult machine() {
+    Result<void> machine() {
         const auto settings = settings_with_prefix(job_.settings, kMachinePrefix);
         if (settings.empty()) return {};
         if (request_.machine.empty() && !request_.cell.empty()) {
@@ -51,7 +48,7 @@ class Edits {
             if (!cell_machine) return Unexpected(cell_machine.error().message);
             request_.machine = cell_machine->machine_file();
         }
-        tl::expected<std::string, std::string> text = std::string(machine::built_in_machine_toml());
+        Result<std::string> text = std::string(machine::built_in_machine_toml());
         if (request_.machine.empty()) {
             request_.machine = kBuiltInName;
         } else {
@@ -61,37 +58,38 @@ class Edits {
         return replace_text(request_.machine, edit_toml(*std::move(text), request_.machine, settings));
     }
 
-    VoidResult cell() {
+    Result<void> cell() {
         const auto settings = settings_with_prefix(job_.settings, kCellPrefix);
         if (settings.empty()) return {};
         if (request_.cell.empty())
-            return Unexpected("a setting of the cell needs a cell file (option 'cell')");
+            return Unexpected("a setting of the cell requires a cell file (option 'cell')");
         auto text = find_and_read(engine::NameKind::sample, request_.cell);
         if (!text) return Unexpected(text.error());
         return replace_text(request_.cell, edit_toml(*std::move(text), request_.cell, settings));
     }
 
-    VoidResult robots() {
+    Result<void> robots() {
         const auto settings = settings_with_prefix(job_.settings, kRobotsPrefix);
         if (settings.empty()) return {};
         if (request_.robots.empty())
-            return Unexpected("a setting of robots needs a file of them (option 'robots')");
+            return Unexpected("a setting of robots requires a robots file (option 'robots')");
         auto text = find_and_read(engine::NameKind::sample, request_.robots);
         if (!text) return Unexpected(text.error());
         return replace_text(request_.robots, edit_toml(*std::move(text), request_.robots, settings));
     }
 
-    VoidResult data() {
+    Result<void> data() {
         const auto settings = settings_with_prefix(job_.settings, kDataPrefix);
         if (settings.empty()) return {};
         if (request_.machine_data.empty())
-            return Unexpected("a setting of machine data needs a file of them (option 'machine_data')");
+            return Unexpected(
+                "a setting of machine data requires a machine data file (option 'machine_data')");
         const auto text = find_and_read(engine::NameKind::sample, request_.machine_data);
         if (!text) return Unexpected(text.error());
         return replace_text(request_.machine_data, edit_data(*text, request_.machine_data, settings));
     }
 
-    VoidResult replace_text(const std::string& name, tl::expected<std::string, std::string> edit_result) {
+    Result<void> replace_text(const std::string& name, Result<std::string> edit_result) {
         return std::move(edit_result).map([&](std::string text) { files_.replace(name, std::move(text)); });
     }
 
@@ -102,11 +100,11 @@ class Edits {
 
 }  // namespace
 
-VoidResult make_edits(const Job& job, engine::Request& request, RunFiles& files) {
+Result<void> make_edits(const Job& job, engine::Request& request, RunFiles& files) {
     return Edits(job, request, files).make();
 }
 
-VoidResult set_options(const Job& job, JobRequest& request) {
+Result<void> set_options(const Job& job, JobRequest& request) {
     for (const auto& [name, value] : job.options.items()) {
         if (const auto set = set_option(request, name, value); !set) return Unexpected(set.error());
     }

@@ -13,7 +13,6 @@ namespace gsim::batch {
 
 namespace {
 
-using engine::Error;
 using engine::FramePose;
 using nlohmann::json;
 
@@ -22,8 +21,8 @@ constexpr std::array<std::string_view, 6> kPoseFields{"x_mm",     "y_mm",      "
                                                       "roll_deg", "pitch_deg", "yaw_deg"};
 constexpr const char* kDefaultPost = "ab9";  // as gsim write has it
 
-tl::unexpected<Error> setting_error(std::string message) {
-    return tl::unexpected(Error{.code = "setting", .message = std::move(message)});
+tl::unexpected<engine::Error> setting_error(std::string message) {
+    return tl::unexpected(engine::Error{.code = "setting", .message = std::move(message)});
 }
 
 double& pose_field(FramePose& pose, std::size_t place) {
@@ -38,39 +37,41 @@ std::optional<std::string> feed_path_name(const std::string& key) {
     return key.substr(0, key.size() - end.size());
 }
 
-tl::expected<std::vector<std::size_t>, std::string> parse_order(const json& value) {
+Result<std::vector<std::size_t>> parse_order(const json& value) {
     std::vector<std::size_t> order;
     for (const json& each : value.is_array() ? value : json::array({value})) {
         if (!each.is_number_unsigned())
-            return tl::unexpected(
-                fmt::format("'path.order' must be a list of places from 0 on, not {}", value.dump()));
+            return Unexpected(
+                fmt::format("'path.order' must be a list of indices from 0 on, not {}", value.dump()));
         order.push_back(each);
     }
     return order;
 }
 
 /// Returns the post for programs that the machine reads.
-tl::expected<std::string, Error> select_post(const JobRequest& request, const engine::Machine& machine) {
+tl::expected<std::string, engine::Error> select_post(const JobRequest& request,
+                                                     const engine::Machine& machine) {
     if (!request.path.post.empty()) return request.path.post;
-    const std::string& given_dialect = request.run.language.dialect;
-    const std::string& dialect = given_dialect.empty() ? machine.dialect() : given_dialect;
+    const std::string& requested_dialect = request.run.language.dialect;
+    const std::string& dialect = requested_dialect.empty() ? machine.dialect() : requested_dialect;
     if (dialect.empty()) return kDefaultPost;
     const std::vector<std::string> posts = engine::post_names();
     if (std::find(posts.begin(), posts.end(), dialect) != posts.end()) return dialect;
-    return setting_error(
-        fmt::format("how is a program written that '{}' reads? The option 'post' takes {}, or a file",
-                    dialect, text::joined(posts, ", ")));
+    return setting_error(fmt::format("the dialect '{}' has no post; the option 'post' must be {}, or a file",
+                                     dialect, text::joined(posts, ", ")));
 }
 
 /// Returns the pose of the frame that moves the path.
-tl::expected<FramePose, Error> frame_pose(engine::Machine& machine, const std::string& name) {
+tl::expected<FramePose, engine::Error> frame_pose(engine::Machine& machine, const std::string& name) {
     return machine.read_bodies().and_then([&] { return machine.frame_in_work(name); });
 }
 
-tl::expected<void, Error> follow_frame(const Job& job, const JobRequest& request, engine::Machine& machine,
-                                       const engine::Host& original_host, engine::PathChanges& changes) {
+tl::expected<void, engine::Error> set_frame_changes(const Job& job, const JobRequest& request,
+                                                    engine::Machine& machine,
+                                                    const engine::Host& original_host,
+                                                    engine::PathChanges& changes) {
     if (request.path_frame.empty()) return {};
-    if (request.run.cell.empty()) return setting_error("the option 'path_frame' needs a cell");
+    if (request.run.cell.empty()) return setting_error("the option 'path_frame' requires a cell");
     const auto store_pose = [](FramePose& pose) { return [&pose](const FramePose& found) { pose = found; }; };
     engine::Request before = request.run;
     before.host = original_host;
@@ -82,9 +83,9 @@ tl::expected<void, Error> follow_frame(const Job& job, const JobRequest& request
         .map(store_pose(changes.to));
 }
 
-tl::expected<std::string, Error> write_program(engine::PathRequest request) {
+tl::expected<std::string, engine::Error> write_program(engine::PathRequest request) {
     return engine::PathTranslation::open(std::move(request))
-        .and_then([](engine::PathTranslation path) -> tl::expected<std::string, Error> {
+        .and_then([](engine::PathTranslation path) -> tl::expected<std::string, engine::Error> {
             std::string text;
             const auto sink = [&](const std::string&) {
                 return [&text](std::string_view part) {
@@ -106,18 +107,18 @@ bool is_path_file(const std::string& name) {
     return plain.ends_with(".path.json") || plain.ends_with(".path.lua");
 }
 
-std::string check_path_key(const std::string& key) {
+std::optional<Error> find_path_key_error(const std::string& key) {
     if (key == kPathOrderKey || feed_path_name(key)) return {};
     if (key.starts_with(kPosePrefix) && std::find(kPoseFields.begin(), kPoseFields.end(),
                                                   key.substr(kPosePrefix.size())) != kPoseFields.end())
         return {};
     return fmt::format(
-        "of a path there are 'path.place.{}', 'path.order', 'path.feed_mm_min' and "
-        "'path.NAME.feed_mm_min', not 'path.{}'",
+        "a path has 'path.place.{}', 'path.order', 'path.feed_mm_min' and 'path.NAME.feed_mm_min', not "
+        "'path.{}'",
         text::joined(kPoseFields, "', 'path.place."), key);
 }
 
-tl::expected<engine::PathChanges, std::string> path_changes(std::span<const SettingValue> settings) {
+Result<engine::PathChanges> path_changes(std::span<const SettingValue> settings) {
     engine::PathChanges changes;
     for (const SettingValue& setting : settings) {
         if (setting.key == kPathOrderKey) {
@@ -128,43 +129,44 @@ tl::expected<engine::PathChanges, std::string> path_changes(std::span<const Sett
         }
         const auto* number = setting.value.is_number() ? &setting.value : nullptr;
         if (number == nullptr)
-            return tl::unexpected(
+            return Unexpected(
                 fmt::format("'path.{}' must be a number, not {}", setting.key, setting.value.dump()));
         const auto value = number->get<double>();
         if (auto path = feed_path_name(setting.key)) {
-            if (value <= 0) return tl::unexpected(fmt::format("'path.{}' must be above 0", setting.key));
+            if (value <= 0) return Unexpected(fmt::format("'path.{}' must be greater than 0", setting.key));
             changes.feeds.push_back({*std::move(path), value, setting.use == SettingUse::factor});
             continue;
         }
         const auto* const place =
             std::find(kPoseFields.begin(), kPoseFields.end(),
                       setting.key.substr(std::min(kPosePrefix.size(), setting.key.size())));
-        if (place == kPoseFields.end()) return tl::unexpected(check_path_key(setting.key));
+        if (place == kPoseFields.end()) return tl::unexpected(find_path_key_error(setting.key).value());
         pose_field(changes.place, static_cast<std::size_t>(place - kPoseFields.begin())) = value;
     }
     return changes;
 }
 
-tl::expected<std::optional<std::string>, Error> write_path(const Job& job, const JobRequest& request,
-                                                           const engine::Host& original_host) {
+tl::expected<std::optional<std::string>, engine::Error> write_path(const Job& job, const JobRequest& request,
+                                                                   const engine::Host& original_host) {
     const std::vector<SettingValue> settings = settings_with_prefix(job.settings, kPathPrefix);
     if (!is_path_file(job.program)) {
         if (!request.path_frame.empty())
             return setting_error(
-                fmt::format("the option 'path_frame' is of paths (.path.json, .path.lua), and '{}' would "
-                            "not go along with '{}'",
+                fmt::format("the option 'path_frame' applies to paths (.path.json, .path.lua), and '{}' "
+                            "would not move with '{}'",
                             job.program, request.path_frame));
         if (settings.empty()) return std::nullopt;
-        return setting_error(fmt::format("'path.{}' is of paths (.path.json, .path.lua), and '{}' is none",
-                                         settings.front().key, job.program));
+        return setting_error(
+            fmt::format("'path.{}' applies to paths (.path.json, .path.lua), and '{}' is not a path",
+                        settings.front().key, job.program));
     }
     auto changes = path_changes(settings);
-    if (!changes) return setting_error(changes.error());
+    if (!changes) return setting_error(changes.error().message);
     auto machine = engine::Machine::read(request.run);
     if (!machine) return tl::unexpected(machine.error());
     auto post = select_post(request, *machine);
     if (!post) return tl::unexpected(post.error());
-    if (auto done = follow_frame(job, request, *machine, original_host, *changes); !done)
+    if (auto done = set_frame_changes(job, request, *machine, original_host, *changes); !done)
         return tl::unexpected(done.error());
     engine::PathRequest path = request.path;
     path.path = job.program;

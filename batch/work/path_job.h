@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "batch/work/job.h"
 #include "batch/work/job_request.h"
 #include "engine/diagnostic.h"
@@ -16,12 +17,12 @@ namespace gsim::batch {
 /// is first written from it for its machine, and then run.
 bool is_path_file(const std::string& name);
 
-/// Returns the reason why a setting's key, without its "path.", is invalid; empty if it is valid.
-std::string check_path_key(const std::string& key);
+/// Returns an error if a setting's key, without its "path.", is invalid.
+std::optional<Error> find_path_key_error(const std::string& key);
 
 /// Returns the changes of a path by settings, with keys without "path.": `place.x_mm` and the like, `order`,
-/// `feed_mm_min`, `NAME.feed_mm_min`. The error is a message.
-tl::expected<engine::PathChanges, std::string> path_changes(std::span<const SettingValue> settings);
+/// `feed_mm_min`, `NAME.feed_mm_min`.
+Result<engine::PathChanges> path_changes(std::span<const SettingValue> settings);
 
 /// Returns the text of a job's program if that is a path, written for the machine of the request; empty for
 /// other jobs. `original_host` has files without the job's edits: they define the pose of the cell's frame

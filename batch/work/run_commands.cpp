@@ -108,7 +108,7 @@ CommandParts command_parts(const RunInputs& run, bool for_studio) {
     return parts;
 }
 
-OpenCommand make_command(std::vector<std::string> head, CommandParts parts, std::vector<std::string> tail) {
+ViewCommand make_command(std::vector<std::string> head, CommandParts parts, std::vector<std::string> tail) {
     head.insert(head.end(), parts.words.begin(), parts.words.end());
     head.insert(head.end(), tail.begin(), tail.end());
     return {.words = std::move(head), .left_out = std::move(parts.left_out)};
@@ -130,7 +130,7 @@ std::string common_folder(const std::vector<std::string>& files) {
 
 }  // namespace
 
-OpenCommand studio_command(const RunInputs& run) {
+ViewCommand studio_command(const RunInputs& run) {
     if (is_path_file(run.program)) return {};
     CommandParts parts = command_parts(run, true);
     const std::string folder = common_folder(parts.files);
@@ -139,13 +139,13 @@ OpenCommand studio_command(const RunInputs& run) {
                         {file_argument(folder), file_argument(run.program)});
 }
 
-OpenCommand view_command(const RunInputs& run) {
+ViewCommand view_command(const RunInputs& run) {
     if (is_path_file(run.program)) return {};
     return make_command({"gsim", "run", "--view", std::string(kViewFile)}, command_parts(run, false),
                         {file_argument(run.program)});
 }
 
-OpenCommand run_command(const RunInputs& run) {
+ViewCommand run_command(const RunInputs& run) {
     if (is_path_file(run.program)) return {};
     return make_command({"gsim", "run"}, command_parts(run, false), {file_argument(run.program)});
 }

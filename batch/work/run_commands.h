@@ -19,7 +19,7 @@ struct RunInputs {
 RunInputs run_inputs(const Job& job);
 
 /// Command to view a run, for the folder in which the batch was run.
-struct OpenCommand {
+struct ViewCommand {
     std::vector<std::string>
         words;  ///< Empty: no such command exists, as for paths, which are written first.
     std::vector<std::string> left_out;  ///< Options and settings of the run that it has no words for.
@@ -27,11 +27,11 @@ struct OpenCommand {
 
 /// Returns the command for the studio with program and machine: it serves one folder, which must contain all
 /// files.
-OpenCommand studio_command(const RunInputs& run);
+ViewCommand studio_command(const RunInputs& run);
 /// Returns the command for a page with the finished run.
-OpenCommand view_command(const RunInputs& run);
+ViewCommand view_command(const RunInputs& run);
 /// Returns the command for the run itself.
-OpenCommand run_command(const RunInputs& run);
+ViewCommand run_command(const RunInputs& run);
 
 /// Quotes a word for a shell.
 std::string shell_word(std::string_view word);

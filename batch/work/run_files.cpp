@@ -14,32 +14,32 @@ std::string normalized(const std::string& name) {
 }  // namespace
 
 void RunFiles::replace(const std::string& name, std::string text) {
-    replaced_[normalized(name)] = std::move(text);
+    replaced_texts_[normalized(name)] = std::move(text);
 }
 
 bool RunFiles::is_replaced(const std::string& name) const {
-    return replaced_.contains(normalized(name));
+    return replaced_texts_.contains(normalized(name));
 }
 
 std::optional<std::string> RunFiles::read(const std::string& name) {
-    const auto replaced = replaced_.find(normalized(name));
-    return replaced != replaced_.end() ? std::optional(replaced->second) : read_original(name);
+    const auto replaced = replaced_texts_.find(normalized(name));
+    return replaced != replaced_texts_.end() ? std::optional(replaced->second) : read_original(name);
 }
 
 std::optional<std::string> RunFiles::read_original(const std::string& name) {
     const std::string plain = normalized(name);
     const auto content = files_.get(plain);
-    requested_[plain] = content == nullptr ? std::string() : content->sha256;
+    requested_hashes_[plain] = content == nullptr ? std::string() : content->sha256;
     return content == nullptr ? std::nullopt : std::optional(content->bytes);
 }
 
 void RunFiles::record(const std::string& name) {
-    requested_[normalized(name)] = files_.file_hash(normalized(name));
+    requested_hashes_[normalized(name)] = files_.file_hash(normalized(name));
 }
 
 std::vector<ReadFile> RunFiles::files_read() const {
     std::vector<ReadFile> all;
-    for (const auto& [name, hash] : requested_) all.push_back({name, hash});
+    for (const auto& [name, hash] : requested_hashes_) all.push_back({name, hash});
     return all;
 }
 

@@ -20,7 +20,7 @@ class RunFiles {
     void replace(const std::string& name, std::string text);
     bool is_replaced(const std::string& name) const;
     /// Returns the replacement texts by the names of their files.
-    const std::map<std::string, std::string>& replaced() const { return replaced_; }
+    const std::map<std::string, std::string>& replaced() const { return replaced_texts_; }
     /// Returns the text of a file; empty if no such file exists.
     std::optional<std::string> read(const std::string& name);
     /// Reads the file itself, even if it has a replacement text.
@@ -31,8 +31,8 @@ class RunFiles {
 
   private:
     InputFiles& files_;
-    std::map<std::string, std::string> replaced_;
-    std::map<std::string, std::string> requested_;
+    std::map<std::string, std::string> replaced_texts_;
+    std::map<std::string, std::string> requested_hashes_;
 };
 
 /// Returns the engine's host with the files of a run; both arguments must outlive it.

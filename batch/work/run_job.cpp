@@ -23,7 +23,6 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
-using Unexpected = tl::unexpected<std::string>;
 
 constexpr std::size_t kMaxFindings = 20;  // of a row
 
@@ -42,18 +41,18 @@ std::string findings_text(const std::vector<engine::Diagnostic>& diagnostics) {
 }
 
 void record_error(RunRow& row, const engine::Diagnostic& reported) {
-    row.cause = reported.code;
-    row.message = reported.text;
-    row.file = reported.file;
-    row.line = reported.line;
+    row.outcome.cause = reported.code;
+    row.outcome.message = reported.text;
+    row.outcome.file = reported.file;
+    row.outcome.line = reported.line;
 }
 
 /// Fills the row of a run that was not begun.
 void mark_refused(RunRow& row, const engine::Error& error, const std::vector<engine::Diagnostic>& reported) {
-    row.status = "refused";
+    row.outcome.status = "refused";
     record_error(row, error.first_error ? *error.first_error : engine::to_diagnostic(error));
-    if (row.cause.empty()) row.cause = error.code;
-    if (row.file.empty()) row.file = error.file;
+    if (row.outcome.cause.empty()) row.outcome.cause = error.code;
+    if (row.outcome.file.empty()) row.outcome.file = error.file;
     row.findings = findings_text(reported);
 }
 
@@ -73,35 +72,35 @@ void set_cause(RunRow& row, const engine::Report& report) {
     if (first != report.diagnostics.end()) {
         record_error(row, *first);
     } else if (report.alarm) {
-        row.cause = report.alarm->code;
-        row.message = report.alarm->message;
-        row.file = report.alarm->location.file;
-        row.line = report.alarm->location.line;
+        row.outcome.cause = report.alarm->code;
+        row.outcome.message = report.alarm->message;
+        row.outcome.file = report.alarm->location.file;
+        row.outcome.line = report.alarm->location.line;
     } else {
-        row.cause = row.status;
+        row.outcome.cause = row.outcome.status;
     }
 }
 
 void set_metrics(RunRow& row, const engine::Report& report) {
-    row.status = name(report.status);
+    row.outcome.status = name(report.status);
     row.machine = report.machine;
-    row.cycle_time_s = report.cycle_time_s;
+    row.times.cycle_s = report.cycle_time_s;
     if (report.cycle_time_95) {
-        row.min_s = report.cycle_time_95->min_s;
-        row.max_s = report.cycle_time_95->max_s;
+        row.times.min_s = report.cycle_time_95->min_s;
+        row.times.max_s = report.cycle_time_95->max_s;
     }
-    row.rapid_s = report.rapid_s;
-    row.feed_s = report.feed_s;
-    row.dwell_s = report.dwell_s;
-    row.rapid_mm = report.rapid_mm;
-    row.feed_mm = report.feed_mm;
-    row.process_on_mm = report.process_on_mm;
-    row.blocks = report.blocks;
-    row.moves = report.moves;
-    row.violations = report.violation_count;
-    row.collisions = report.collisions.size();
-    row.process_findings = report.process_findings;
-    row.warnings = report.warnings.size();
+    row.times.rapid_s = report.rapid_s;
+    row.times.feed_s = report.feed_s;
+    row.times.dwell_s = report.dwell_s;
+    row.distances.rapid_mm = report.rapid_mm;
+    row.distances.feed_mm = report.feed_mm;
+    row.distances.process_on_mm = report.process_on_mm;
+    row.counts.blocks = report.blocks;
+    row.counts.moves = report.moves;
+    row.counts.violations = report.violation_count;
+    row.counts.collisions = report.collisions.size();
+    row.counts.process_findings = report.process_findings;
+    row.counts.warnings = report.warnings.size();
     row.extents = extents_json(report);
     row.findings = findings_text(report.diagnostics);
 }
@@ -132,8 +131,8 @@ void set_json_values(RunRow& row, std::string text, bool stored_documents) {
     row.clearance_mm = min_clearance_mm(report);
     if (const auto blends = report.find("blends"); blends != report.end() && blends->is_object())
         row.deviation_mm = json_number(blends->at("feed"), "max_deviation_mm");
-    row.lower_bound_s = json_number(report, "lower_bound_s");
-    if (stored_documents) row.report = std::move(text);
+    row.times.lower_bound_s = json_number(report, "lower_bound_s");
+    if (stored_documents) row.documents.report = std::move(text);
 }
 
 /// Monitors the joint speeds of all robots.
@@ -152,7 +151,8 @@ void monitor_joint_speeds(RunRow& row, engine::Run& run) {
 /// Draws the picture, with several robots that of the first one.
 void draw(RunRow& row, const std::string& script) {
     auto picture = engine::draw_picture(script);
-    (picture ? row.picture : row.picture_error) = picture ? *std::move(picture) : picture.error();
+    (picture ? row.documents.picture : row.documents.picture_error) =
+        picture ? *std::move(picture) : picture.error().message;
 }
 
 void run_request(RunRow& row, JobRequest request, StoredDocuments stored_documents) {
@@ -165,7 +165,7 @@ void run_request(RunRow& row, JobRequest request, StoredDocuments stored_documen
     if (stored_documents.picture) {
         const auto sink = [&](std::string_view text) { return script.append(text), true; };
         if (const auto files_read = run->write(engine::OutputKind::plot, sink); !files_read)
-            row.picture_error = files_read.error().message;
+            row.documents.picture_error = files_read.error().message;
     }
     if (request.joint_speeds) monitor_joint_speeds(row, *run);
     const auto report = run->go();
@@ -200,9 +200,8 @@ tl::expected<JobRequest, engine::Error> JobRunner::prepare(const Job& job, RunFi
     request.run.host = host_with_replacements(system_, files);
     return set_options(job, request)
         .and_then([&] { return make_edits(job, request.run, files); })
-        .map_error([](std::string message) {
-            return engine::Error{.code = "setting", .message = std::move(message)};
-        })
+        .map_error(
+            [](const Error& error) { return engine::Error{.code = "setting", .message = error.message}; })
         .map([&] { return std::move(request); });
 }
 

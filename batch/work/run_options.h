@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/text/json.h"
 #include "batch/work/job_request.h"
 
@@ -27,9 +26,8 @@ std::span<const RunOption> run_options();
 const RunOption* find_option(std::string_view name);
 
 /// Checks that the option accepts a value; the error is a message.
-tl::expected<void, std::string> check_option(std::string_view name, const nlohmann::json& value);
+Result<void> check_option(std::string_view name, const nlohmann::json& value);
 /// Sets an option in a request. The error is that of check_option().
-tl::expected<void, std::string> set_option(JobRequest& request, std::string_view name,
-                                           const nlohmann::json& value);
+Result<void> set_option(JobRequest& request, std::string_view name, const nlohmann::json& value);
 
 }  // namespace gsim::batch

@@ -22,44 +22,44 @@ std::optional<double> parse_optional(const json& value) {
 template <typename Row, typename Visitor>
 void for_each_row_field(Row& row, const Visitor& on_field) {
     on_field("number", row.number);
-    on_field("status", row.status);
-    on_field("cause", row.cause);
-    on_field("message", row.message);
-    on_field("file", row.file);
-    on_field("line", row.line);
+    on_field("status", row.outcome.status);
+    on_field("cause", row.outcome.cause);
+    on_field("message", row.outcome.message);
+    on_field("file", row.outcome.file);
+    on_field("line", row.outcome.line);
     on_field("machine", row.machine);
     on_field("controller", row.controller);
-    on_field("cycle_time_s", row.cycle_time_s);
-    on_field("rapid_s", row.rapid_s);
-    on_field("feed_s", row.feed_s);
-    on_field("dwell_s", row.dwell_s);
-    on_field("rapid_mm", row.rapid_mm);
-    on_field("feed_mm", row.feed_mm);
-    on_field("jet_on_mm", row.process_on_mm);
-    on_field("blocks", row.blocks);
-    on_field("moves", row.moves);
-    on_field("violations", row.violations);
-    on_field("collisions", row.collisions);
-    on_field("process_findings", row.process_findings);
-    on_field("warnings", row.warnings);
+    on_field("cycle_time_s", row.times.cycle_s);
+    on_field("rapid_s", row.times.rapid_s);
+    on_field("feed_s", row.times.feed_s);
+    on_field("dwell_s", row.times.dwell_s);
+    on_field("rapid_mm", row.distances.rapid_mm);
+    on_field("feed_mm", row.distances.feed_mm);
+    on_field("jet_on_mm", row.distances.process_on_mm);
+    on_field("blocks", row.counts.blocks);
+    on_field("moves", row.counts.moves);
+    on_field("violations", row.counts.violations);
+    on_field("collisions", row.counts.collisions);
+    on_field("process_findings", row.counts.process_findings);
+    on_field("warnings", row.counts.warnings);
     on_field("extents", row.extents);
     on_field("findings", row.findings);
     on_field("cpu_s", row.cpu_s);
-    on_field("report", row.report);
-    on_field("picture", row.picture);
-    on_field("picture_fault", row.picture_error);
+    on_field("report", row.documents.report);
+    on_field("picture", row.documents.picture);
+    on_field("picture_fault", row.documents.picture_error);
 }
 
 /// Does the same for those that may be missing.
 template <typename Row, typename Visitor>
 void for_each_optional(Row& row, const Visitor& on_field) {
-    on_field("least_s", row.min_s);
-    on_field("most_s", row.max_s);
+    on_field("least_s", row.times.min_s);
+    on_field("most_s", row.times.max_s);
     on_field("energy_j", row.energy_j);
     on_field("clearance_mm", row.clearance_mm);
     on_field("deviation_mm", row.deviation_mm);
     on_field("joint_speed_share", row.joint_speed_share);
-    on_field("lower_bound_s", row.lower_bound_s);
+    on_field("lower_bound_s", row.times.lower_bound_s);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::string print_row(const RunRow& row) {
     return line.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-tl::expected<RunRow, std::string> read_row(std::string_view line) {
+Result<RunRow> read_row(std::string_view line) {
     try {
         const json read = text::parse_json<json>(line);
         RunRow row;
@@ -86,7 +86,7 @@ tl::expected<RunRow, std::string> read_row(std::string_view line) {
         for (const json& file : read.at("files")) row.files.push_back({file.at(0), file.at(1)});
         return row;
     } catch (const json::exception& error) {
-        return tl::unexpected(fmt::format("no row of a run: {}", error.what()));
+        return Unexpected(fmt::format("not a row of a run: {}", error.what()));
     }
 }
 

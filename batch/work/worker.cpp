@@ -66,12 +66,12 @@ int run_worker(std::uint64_t memory_mb) {
     for (std::string line; std::getline(std::cin, line);) {
         const auto job = read_job(line);
         if (!job) {
-            std::fprintf(stderr, "gsim-batch: %s\n", job.error().c_str());
+            std::fprintf(stderr, "gsim-batch: %s\n", job.error().message.c_str());
             return 2;
         }
         const RunRow row = runner.run(*job);
         // The engine catches std::bad_alloc: here it is caused by the worker's limit.
-        if (row.status == "refused" && row.message.find("out of memory") != std::string::npos)
+        if (row.outcome.status == "refused" && row.outcome.message.find("out of memory") != std::string::npos)
             exit_out_of_memory();
         if (!write_row(row)) return 2;  // no reader left
     }

@@ -21,8 +21,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr std::size_t kQueueDepth = 2;  // one is run, the next one waits
 constexpr int kMaxAttempts = 3;
 constexpr std::size_t kChunkBytes = std::size_t{64} << 10U;
@@ -31,9 +29,10 @@ std::string system_message(int error) {
     return std::generic_category().message(error);
 }
 
-tl::expected<std::pair<os::Descriptor, os::Descriptor>, std::string> make_pipe() {
+Result<std::pair<os::Descriptor, os::Descriptor>> make_pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected("no pipe: " + system_message(errno));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return Unexpected("cannot create a pipe: " + system_message(errno));
     return std::pair(os::Descriptor(ends[0]), os::Descriptor(ends[1]));
 }
 
@@ -48,26 +47,26 @@ bool was_killed_externally(int status) {
 /// Returns the row of a job during which its worker ended.
 RunRow failure_row(const Job& job, int status, bool timed_out, double timeout_s) {
     RunRow row{.number = job.number};
-    row.file = job.program;
+    row.outcome.file = job.program;
     if (timed_out) {
-        row.status = row.cause = "timeout";
-        row.message = fmt::format("it was ended after {} s", timeout_s);
+        row.outcome.status = row.outcome.cause = "timeout";
+        row.outcome.message = fmt::format("it was terminated after {} s", timeout_s);
     } else if (WIFEXITED(status) && WEXITSTATUS(status) == kOutOfMemory) {
-        row.status = row.cause = "memory";
-        row.message = "it needs more memory than it may have";
+        row.outcome.status = row.outcome.cause = "memory";
+        row.outcome.message = "it exceeded the memory limit";
     } else {
-        row.status = row.cause = "crashed";
-        row.message = WIFSIGNALED(status)
-                          ? fmt::format("its process was ended by signal {}", WTERMSIG(status))
-                          : fmt::format("its process ended with status {}", WEXITSTATUS(status));
+        row.outcome.status = row.outcome.cause = "crashed";
+        row.outcome.message = WIFSIGNALED(status)
+                                  ? fmt::format("its process was terminated by signal {}", WTERMSIG(status))
+                                  : fmt::format("its process ended with status {}", WEXITSTATUS(status));
     }
     row.findings = nlohmann::json::array({{{"severity", "error"},
-                                           {"code", row.cause},
+                                           {"code", row.outcome.cause},
                                            {"file", job.program},
                                            {"line", nullptr},
                                            {"column", nullptr},
                                            {"end_column", nullptr},
-                                           {"text", row.message},
+                                           {"text", row.outcome.message},
                                            {"hint", nullptr}}})
                        .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     row.extents = "{}";
@@ -107,10 +106,10 @@ std::size_t WorkerPool::pending_count() const {
     return count;
 }
 
-tl::expected<void, std::string> WorkerPool::start_worker() {
+Result<void> WorkerPool::start_worker() {
     auto jobs = make_pipe();
     auto rows = make_pipe();
-    if (!jobs || !rows) return Unexpected(jobs ? rows.error() : jobs.error());
+    if (!jobs || !rows) return Unexpected(jobs ? rows.error().message : jobs.error().message);
     os::SpawnActions actions;
     actions.redirect(jobs->first.number(), STDIN_FILENO);
     actions.redirect(rows->second.number(), STDOUT_FILENO);
@@ -125,11 +124,11 @@ tl::expected<void, std::string> WorkerPool::start_worker() {
     return {};
 }
 
-tl::expected<void, std::string> WorkerPool::submit(Job job) {
+Result<void> WorkerPool::submit(Job job) {
     return enqueue({.job = std::move(job)});
 }
 
-tl::expected<void, std::string> WorkerPool::enqueue(QueuedJob queued) {
+Result<void> WorkerPool::enqueue(QueuedJob queued) {
     const auto has_fewer_jobs = [](const Worker& a, const Worker& b) {
         return a.jobs.size() < b.jobs.size();
     };
@@ -139,18 +138,19 @@ tl::expected<void, std::string> WorkerPool::enqueue(QueuedJob queued) {
         worker = std::prev(workers_.end());
     }
     if (worker->jobs.empty()) worker->start = Clock::now();
-    worker->unsent += print_job(queued.job) + '\n';
+    worker->unsent_text += print_job(queued.job) + '\n';
     worker->jobs.push_back(std::move(queued));
     send(*worker);
     return {};
 }
 
 void WorkerPool::send(Worker& worker) {
-    while (!worker.unsent.empty()) {
-        const ssize_t sent = ::write(worker.input.number(), worker.unsent.data(), worker.unsent.size());
+    while (!worker.unsent_text.empty()) {
+        const ssize_t sent =
+            ::write(worker.input.number(), worker.unsent_text.data(), worker.unsent_text.size());
         if (sent < 0 && errno == EINTR) continue;
         if (sent < 0) return;  // it reads later, or is gone, which its output shows
-        worker.unsent.erase(0, static_cast<std::size_t>(sent));
+        worker.unsent_text.erase(0, static_cast<std::size_t>(sent));
     }
 }
 
@@ -176,8 +176,7 @@ bool WorkerPool::receive(Worker& worker, std::vector<RunRow>& rows) {
 }
 
 /// Handles a worker that has ended: its job gets a row, and pending jobs get another worker.
-tl::expected<void, std::string> WorkerPool::remove_ended_worker(std::list<Worker>::iterator worker,
-                                                                std::vector<RunRow>& rows) {
+Result<void> WorkerPool::remove_ended_worker(std::list<Worker>::iterator worker, std::vector<RunRow>& rows) {
     ::kill(worker->child, SIGKILL);
     const int status = os::wait_for(worker->child).value_or(0);
     std::deque<QueuedJob> jobs = std::move(worker->jobs);
@@ -216,11 +215,11 @@ std::chrono::milliseconds WorkerPool::time_until_timeout(std::chrono::millisecon
     return max_duration;
 }
 
-tl::expected<std::vector<RunRow>, std::string> WorkerPool::collect(std::chrono::milliseconds max_wait) {
+Result<std::vector<RunRow>> WorkerPool::collect(std::chrono::milliseconds max_wait) {
     std::vector<pollfd> descriptors;
     for (const Worker& worker : workers_) {
         descriptors.push_back({worker.output.number(), POLLIN, 0});
-        if (!worker.unsent.empty()) descriptors.push_back({worker.input.number(), POLLOUT, 0});
+        if (!worker.unsent_text.empty()) descriptors.push_back({worker.input.number(), POLLOUT, 0});
     }
     ::poll(descriptors.data(), descriptors.size(), static_cast<int>(time_until_timeout(max_wait).count()));
     std::vector<RunRow> rows;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <sys/types.h>
-#include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "base/os/descriptor.h"
 #include "batch/work/job.h"
 #include "batch/work/run_row.h"
@@ -37,11 +37,11 @@ class WorkerPool {
     /// Returns true if the pool can take a job that will soon be begun.
     bool has_capacity() const;
     /// Adds a job. The error: no process can be started.
-    tl::expected<void, std::string> submit(Job job);
+    Result<void> submit(Job job);
     /// Returns the number of jobs without a row.
     std::size_t pending_count() const;
     /// Waits at most so long for rows, and returns them.
-    tl::expected<std::vector<RunRow>, std::string> collect(std::chrono::milliseconds max_wait);
+    Result<std::vector<RunRow>> collect(std::chrono::milliseconds max_wait);
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -56,19 +56,18 @@ class WorkerPool {
         os::Descriptor output;            ///< Rows come from there.
         std::deque<QueuedJob> jobs = {};  ///< The one in front is run.
         Clock::time_point start = {};
-        std::string unsent = {};
+        std::string unsent_text = {};
         std::string received = {};
         bool timed_out = false;
         bool has_finished_job = false;  ///< It has run a job to its end.
     };
 
-    tl::expected<void, std::string> enqueue(QueuedJob queued);
-    tl::expected<void, std::string> start_worker();
+    Result<void> enqueue(QueuedJob queued);
+    Result<void> start_worker();
     static void send(Worker& worker);
     /// Reads available output; returns false at the end of the output.
     bool receive(Worker& worker, std::vector<RunRow>& rows);
-    tl::expected<void, std::string> remove_ended_worker(std::list<Worker>::iterator worker,
-                                                        std::vector<RunRow>& rows);
+    Result<void> remove_ended_worker(std::list<Worker>::iterator worker, std::vector<RunRow>& rows);
     void kill_if_timed_out(Worker& worker) const;
     std::chrono::milliseconds time_until_timeout(std::chrono::milliseconds max_duration) const;
 

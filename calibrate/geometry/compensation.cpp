@@ -31,8 +31,8 @@ std::vector<std::size_t> find_three_slides(const machine::Machine& machine) {
 }
 
 /// Finds readings of slides that move the TCP to the work frame's origin; returns false if none do.
-bool bring_to_origin(const Geometry& geometry, const std::vector<std::size_t>& slides,
-                     std::vector<double>& readings) {
+bool move_tcp_to_origin(const Geometry& geometry, const std::vector<std::size_t>& slides,
+                        std::vector<double>& readings) {
     const TcpCalculator calculator(geometry);
     for (int round = 0; round < kIterations; ++round) {
         const Eigen::Vector3d tcp = calculator.tcp(readings).translation();
@@ -80,8 +80,7 @@ std::vector<CompensationTable> compensation_tables(const GeometryFit& fit,
     return tables;
 }
 
-tl::expected<std::string, std::string> work_offset_line(const machine::Machine& nominal,
-                                                        const GeometryFit& fit) {
+Result<std::string> work_offset_line(const machine::Machine& nominal, const GeometryFit& fit) {
     const auto slides = find_three_slides(nominal);
     Geometry geometry = fit.geometry;
     geometry.instrument = rrs::CartPos::Identity();
@@ -90,9 +89,10 @@ tl::expected<std::string, std::string> work_offset_line(const machine::Machine& 
         const bool rotary = nominal.axes[i].kind == machine::AxisKind::rotary;
         readings.push_back(rotary ? geometry.machine.axes[i].zero - nominal.axes[i].zero : 0);
     }
-    if (slides.size() < 3 || !bring_to_origin(geometry, slides, readings))
-        return tl::unexpected<std::string>(
-            "a work offset (--g10) needs three linear axes that bring the tip to the work frame's origin");
+    if (slides.size() < 3 || !move_tcp_to_origin(geometry, slides, readings))
+        return Unexpected(
+            "a work offset (--g10) requires three linear axes that move the TCP to the origin of the work "
+            "frame");
     std::string line = "G21\nG10 L2 P1";
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const bool slide = std::find(slides.begin(), slides.end(), i) != slides.end();

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/geometry/geometry_fit.h"
 
 namespace gsim::calibrate {
@@ -22,7 +21,6 @@ std::vector<CompensationTable> compensation_tables(const GeometryFit& fit, std::
 
 /// Returns a line of G-code (G10 L2 P1) that sets the work offset. It makes a program's zero the work frame's
 /// origin, with rotary axes at the fitted zeros. The error: the machine has no three slides that can do that.
-tl::expected<std::string, std::string> work_offset_line(const machine::Machine& nominal,
-                                                        const GeometryFit& fit);
+Result<std::string> work_offset_line(const machine::Machine& nominal, const GeometryFit& fit);
 
 }  // namespace gsim::calibrate

@@ -71,7 +71,7 @@ struct Motion {
 };
 
 /// Motions that result from the values of deviations.
-struct Motions {
+struct SmallMotions {
     std::vector<Motion> axes;
     Motion base, tool, work, instrument;
 
@@ -224,7 +224,7 @@ DeviatedMachine::DeviatedMachine(Geometry nominal) : nominal_(std::move(nominal)
 
 Geometry DeviatedMachine::at(std::span<const Deviation> deviations, const Eigen::VectorXd& values) const {
     Geometry found = nominal_;
-    Motions motions{
+    SmallMotions motions{
         .axes = std::vector<Motion>(joints_.size()), .base = {}, .tool = {}, .work = {}, .instrument = {}};
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         const Deviation& deviation = deviations[i];

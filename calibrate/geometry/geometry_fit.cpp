@@ -35,8 +35,8 @@ class CachedErrors : public ceres::EvaluationCallback {
     }
 
     void PrepareForEvaluation(bool with_slopes, bool /*is_new*/) override {
-        if (errors_now.size() == 0 || values != evaluated_at_) {
-            errors_now = errors_.at(scaled_values());
+        if (current_errors.size() == 0 || values != evaluated_at_) {
+            current_errors = errors_.at(scaled_values());
             evaluated_at_ = values;
         }
         if (!with_slopes || (slopes.size() != 0 && values == slopes_at_)) return;
@@ -61,7 +61,7 @@ class CachedErrors : public ceres::EvaluationCallback {
 
   public:
     Eigen::VectorXd values;
-    Eigen::VectorXd errors_now;
+    Eigen::VectorXd current_errors;
     Eigen::MatrixXd slopes;
 };
 
@@ -77,7 +77,7 @@ class TcpResidual : public ceres::CostFunction {
     }
 
     bool Evaluate(double const* const* /*at*/, double* errors, double** slopes) const override {
-        Eigen::Map<Eigen::VectorXd>(errors, size_) = state_.errors_now.segment(first_row_, size_);
+        Eigen::Map<Eigen::VectorXd>(errors, size_) = state_.current_errors.segment(first_row_, size_);
         if (slopes == nullptr || slopes[0] == nullptr) return true;
         using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
         Eigen::Map<Rows>(slopes[0], size_, state_.values.size()) =
@@ -119,7 +119,7 @@ Eigen::MatrixXd information_matrix(const CachedErrors& cached_errors) {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(cached_errors.values.size(), cached_errors.values.size());
     for (Eigen::Index i = 0; i < cached_errors.errors().count(); ++i) {
         const Eigen::Index first = cached_errors.errors().first(i), size = cached_errors.errors().size(i);
-        const double length = cached_errors.errors_now.segment(first, size).norm();
+        const double length = cached_errors.current_errors.segment(first, size).norm();
         const double weight = length > kHuberThreshold ? kHuberThreshold / length : 1;
         const auto rows = cached_errors.slopes.middleRows(first, size);
         sum.noalias() += weight * rows.transpose() * rows;
@@ -130,7 +130,7 @@ Eigen::MatrixXd information_matrix(const CachedErrors& cached_errors) {
 /// Returns the factor that scales the noise to these lengths; `freedom` is the share of all numbers that
 /// remains after the fitted values. First uses the median, which is robust to outliers, then all but
 /// outliers.
-double noise_factor(std::vector<double> lengths, double freedom_share) {
+double noise_factor(std::vector<double> lengths, double degrees_of_freedom_share) {
     if (lengths.empty()) return 1;
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
@@ -141,7 +141,7 @@ double noise_factor(std::vector<double> lengths, double freedom_share) {
         squares += length * length;
         count += 3;
     }
-    return std::sqrt(squares / (count * freedom_share));
+    return std::sqrt(squares / (count * degrees_of_freedom_share));
 }
 
 double error_length(const Eigen::VectorXd& errors, Eigen::Index first) {
@@ -162,9 +162,9 @@ rrs::CartPos align_work_frame(const machine::Machine& machine, std::span<const M
 double residual_noise_ratio(const CachedErrors& cached_errors) {
     double squares = 0;
     for (Eigen::Index i = 0; i < cached_errors.errors().count(); ++i) {
-        const double length =
-            cached_errors.errors_now.segment(cached_errors.errors().first(i), cached_errors.errors().size(i))
-                .norm();
+        const double length = cached_errors.current_errors
+                                  .segment(cached_errors.errors().first(i), cached_errors.errors().size(i))
+                                  .norm();
         squares += length * std::min(length, kHuberThreshold);
     }
     return std::sqrt(squares /
@@ -175,9 +175,9 @@ std::vector<bool> find_outliers(const CachedErrors& cached_errors) {
     std::vector<bool> found;
     for (Eigen::Index i = 0; i < cached_errors.errors().count(); ++i) {
         const Eigen::Index first = cached_errors.errors().first(i);
-        bool is_outlier = error_length(cached_errors.errors_now, first) > kOutlierLength;
+        bool is_outlier = error_length(cached_errors.current_errors, first) > kOutlierLength;
         if (cached_errors.errors().size(i) == 6)
-            is_outlier = is_outlier || error_length(cached_errors.errors_now, first + 3) > kOutlierLength;
+            is_outlier = is_outlier || error_length(cached_errors.current_errors, first + 3) > kOutlierLength;
         found.push_back(is_outlier);
     }
     return found;
@@ -200,10 +200,11 @@ class GeometryFitter {
         noise_.deg = options.noise_deg.value_or(noise_.deg);
     }
 
-    tl::expected<GeometryFit, std::string> run() {
+    Result<GeometryFit> run() {
         if (!select_deviations()) {
-            return tl::unexpected<std::string>(
-                "these tips tell nothing of the machine's geometry: there are too few, or all is held");
+            return Unexpected(
+                "these TCP positions do not determine the machine's geometry: there are too few, or all "
+                "deviations are fixed");
         }
         for (const MeasuredTcp& tcp : tcps_) {
             fit_.noise_is_estimated = fit_.noise_is_estimated || !(options_.noise_mm || tcp.sigma_mm);
@@ -215,7 +216,7 @@ class GeometryFitter {
              round < (fit_.noise_is_estimated || estimates_rotation_noise_ ? kNoiseIterations : 1); ++round) {
             const WeightedErrors errors(deviated_, selected_, tcps_, noise_);
             CachedErrors cached_errors(errors, selected_);
-            if (round == 0) cached_errors.set_initial_slopes(first_slopes_);
+            if (round == 0) cached_errors.set_initial_slopes(initial_slopes_);
             fit_.solver_message = solve(cached_errors);
             store_result(cached_errors);
             estimate_noise(cached_errors);
@@ -229,7 +230,7 @@ class GeometryFitter {
         const Eigen::MatrixXd slopes =
             errors.slopes(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all_.size())));
         Identification found = identify(slopes, all_);
-        first_slopes_ = slopes(Eigen::all, found.selected);
+        initial_slopes_ = slopes(Eigen::all, found.selected);
         for (const std::size_t i : found.selected) selected_.push_back(all_[i]);
         fit_.fixed = std::move(found.fixed);
         fit_.singular_values = std::move(found.singular_values);
@@ -259,19 +260,21 @@ class GeometryFitter {
         std::vector<double> position_errors, rotation_errors;
         for (std::size_t i = 0; i < tcps_.size(); ++i) {
             const Eigen::Index first = cached_errors.errors().first(static_cast<Eigen::Index>(i));
-            if (!tcps_[i].sigma_mm) position_errors.push_back(error_length(cached_errors.errors_now, first));
+            if (!tcps_[i].sigma_mm)
+                position_errors.push_back(error_length(cached_errors.current_errors, first));
             if (tcps_[i].has_orientation && !tcps_[i].sigma_deg)
-                rotation_errors.push_back(error_length(cached_errors.errors_now, first + 3));
+                rotation_errors.push_back(error_length(cached_errors.current_errors, first + 3));
         }
-        const double freedom_share = 1 - static_cast<double>(cached_errors.values.size()) /
-                                             static_cast<double>(cached_errors.errors().size());
-        constexpr double kMin_mm = 1e-6, kMin_deg = 1e-7;
+        const double degrees_of_freedom_share = 1 - static_cast<double>(cached_errors.values.size()) /
+                                                        static_cast<double>(cached_errors.errors().size());
+        constexpr double kMinNoise_mm = 1e-6, kMinNoise_deg = 1e-7;
         if (fit_.noise_is_estimated)
-            noise_.mm =
-                std::max(noise_.mm * noise_factor(std::move(position_errors), freedom_share), kMin_mm);
+            noise_.mm = std::max(
+                noise_.mm * noise_factor(std::move(position_errors), degrees_of_freedom_share), kMinNoise_mm);
         if (estimates_rotation_noise_)
             noise_.deg =
-                std::max(noise_.deg * noise_factor(std::move(rotation_errors), freedom_share), kMin_deg);
+                std::max(noise_.deg * noise_factor(std::move(rotation_errors), degrees_of_freedom_share),
+                         kMinNoise_deg);
     }
 
     const GeometryOptions& options_;
@@ -279,7 +282,7 @@ class GeometryFitter {
     DeviatedMachine deviated_;
     std::vector<Deviation> all_;
     std::vector<Deviation> selected_;
-    Eigen::MatrixXd first_slopes_;  ///< For the chosen ones, at 0.
+    Eigen::MatrixXd initial_slopes_;  ///< For the chosen ones, at 0.
     Noise noise_;
     bool estimates_rotation_noise_ = false;
     bool has_orientations_ = false;
@@ -288,10 +291,9 @@ class GeometryFitter {
 
 }  // namespace
 
-tl::expected<GeometryFit, std::string> fit_geometry(const machine::Machine& machine,
-                                                    std::span<const MeasuredTcp> tcps,
-                                                    const GeometryOptions& options) {
-    if (tcps.empty()) return tl::unexpected<std::string>("there are no measured tips");
+Result<GeometryFit> fit_geometry(const machine::Machine& machine, std::span<const MeasuredTcp> tcps,
+                                 const GeometryOptions& options) {
+    if (tcps.empty()) return Unexpected("there are no measured TCP positions");
     return GeometryFitter(machine, tcps, options).run();
 }
 

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/geometry/deviation.h"
-#include "calibrate/geometry/identify.h"
+#include "calibrate/geometry/identification.h"
 #include "calibrate/geometry/measured_tcp.h"
 #include "calibrate/geometry/tcp_errors.h"
 
@@ -48,8 +47,7 @@ struct GeometryFit {
 /// Fits the deviations of `machine` that `tips` determine. It uses least squares of the errors in units of
 /// their noise, robust if a TCP error exceeds the noise (Huber). The kinematics are the machine's (Ceres,
 /// Levenberg-Marquardt). The error: too few TCPs, or they determine no deviation.
-tl::expected<GeometryFit, std::string> fit_geometry(const machine::Machine& machine,
-                                                    std::span<const MeasuredTcp> tcps,
-                                                    const GeometryOptions& options);
+Result<GeometryFit> fit_geometry(const machine::Machine& machine, std::span<const MeasuredTcp> tcps,
+                                 const GeometryOptions& options);
 
 }  // namespace gsim::calibrate

@@ -35,22 +35,22 @@ DisplayUnit display_unit(DeviationUnit unit) {
 
 std::string value_with_uncertainty(const FittedDeviation& found) {
     const DisplayUnit display = display_unit(found.deviation.unit);
-    return fmt::format("{:+.2f} {} to {:.2f}", display.factor * found.value, display.unit,
+    return fmt::format("{:+.2f} {} +- {:.2f}", display.factor * found.value, display.unit,
                        display.factor * found.standard_deviation);
 }
 
 std::string summary_line(const GeometryFit& fit) {
     const TcpErrorSummary before = summarize_errors(fit.before), after = summarize_errors(fit.after);
     std::string text = fmt::format(
-        "{} tips: {:.1f} um off before (root mean square; {:.1f} at most), {:.2f} um after ({:.2f})",
+        "{} TCP positions: error {:.1f} um before (root mean square; max {:.1f}), {:.2f} um after ({:.2f})",
         fit.before.size(), before.rms_um, before.max_um, after.rms_um, after.max_um);
     if (before.rms_arcsec > 0)
-        text += fmt::format("; turned by {:.1f} arcsec before, {:.2f} after", before.rms_arcsec,
+        text += fmt::format("; orientation error {:.1f} arcsec before, {:.2f} after", before.rms_arcsec,
                             after.rms_arcsec);
     return text;
 }
 
-std::vector<std::size_t> farthest_first(const GeometryFit& fit) {
+std::vector<std::size_t> indices_by_error(const GeometryFit& fit) {
     std::vector<std::size_t> order(fit.after.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -78,14 +78,14 @@ Json errors_json(const TcpErrorSummary& summary) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> geometry_text(const GeometryFit& fit) {
+Result<std::string> geometry_text(const GeometryFit& fit) {
     std::string text = fmt::format("# Geometry by gsim-calibrate. {}.\n", summary_line(fit));
     for (const FittedDeviation& found : fit.found) {
         const bool in_file =
             found.deviation.of != Deviation::Of::scale && found.deviation.of != Deviation::Of::instrument;
-        text +=
-            fmt::format("# {}: {} (one standard deviation){}\n", found.deviation.name,
-                        value_with_uncertainty(found), in_file ? "" : ", which a machine file cannot say");
+        text += fmt::format("# {}: {} (one standard deviation){}\n", found.deviation.name,
+                            value_with_uncertainty(found),
+                            in_file ? "" : ", which a machine file cannot contain");
     }
     text += "\n" + machine::print_machine(fit.geometry.machine);
     if (const auto read = machine::read_machine(text, "the fitted machine"); !read)
@@ -98,25 +98,25 @@ std::string geometry_table(const GeometryFit& fit, std::span<const Squareness> s
     for (const FittedDeviation& found : fit.found)
         text += fmt::format("  {:<20} {}\n", found.deviation.name, value_with_uncertainty(found));
     for (const Squareness& pair : squareness)
-        text += fmt::format("  {:<20} {:+.2f} um/m to {:.2f}\n",
+        text += fmt::format("  {:<20} {:+.2f} um/m +- {:.2f}\n",
                             fmt::format("square {} {}", pair.first, pair.second), pair.value_um_m,
                             pair.standard_deviation_um_m);
-    if (!fit.fixed.empty()) text += "\nnot told from others, and left as the file has it\n";
+    if (!fit.fixed.empty()) text += "\nnot distinguishable from others, and unchanged from the file\n";
     for (const FixedDeviation& fixed : fit.fixed)
         text += fmt::format("  {:<20} {}\n", fixed.name, fixed.reason);
-    text += fmt::format("\n{:<6} {:>12} {:>12}\n", "tip", "before um", "after um");
-    for (const std::size_t i : farthest_first(fit))
-        text += fmt::format("{:<6} {:>12.2f} {:>12.2f}{}\n", i + 1, length_um(fit.before[i]),
-                            length_um(fit.after[i]),
-                            fit.outliers[i] ? "  an outlier, which counts for little" : "");
-    text += fmt::format("\n{}\nnoise {}: {:.2f} um a coordinate", summary_line(fit),
+    text += fmt::format("\n{:<6} {:>12} {:>12}\n", "TCP", "before um", "after um");
+    for (const std::size_t i : indices_by_error(fit))
+        text +=
+            fmt::format("{:<6} {:>12.2f} {:>12.2f}{}\n", i + 1, length_um(fit.before[i]),
+                        length_um(fit.after[i]), fit.outliers[i] ? "  an outlier, with a low weight" : "");
+    text += fmt::format("\n{}\nnoise {}: {:.2f} um per coordinate", summary_line(fit),
                         fit.noise_is_estimated ? "found" : "as given", kMicrometresPerMm * fit.noise.mm);
     if (!fit.noise_is_estimated)
-        text += fmt::format("; {:.2f} times what it makes is left", fit.residual_noise_ratio);
+        text += fmt::format("; the residual is {:.2f} times the noise", fit.residual_noise_ratio);
     if (fit.residual_noise_ratio > kMaxResidualNoise)
         text +=
-            "\nmore is left than noise: the machine is off in ways that are not looked for, or tips are "
-            "less sure than was said";
+            "\nthe residual exceeds the noise: the machine has deviations that are not fitted, or the TCP "
+            "positions are less accurate than specified";
     return text + "\n";
 }
 
@@ -160,11 +160,11 @@ std::string tcps_svg(const GeometryFit& fit) {
     const double height = kTop + kRow * static_cast<double>(fit.after.size()) + 10;
     std::string svg = svg_header(width, height);
     const double right = kLeft + kBarWidth + kGap;
-    svg += fmt::format("<text x=\"{:.0f}\" y=\"16\">before, um (at most {:.1f})</text>\n", kLeft, max_before);
-    svg += fmt::format("<text x=\"{:.0f}\" y=\"16\">after, um (at most {:.2f})</text>\n", right, max_after);
+    svg += fmt::format("<text x=\"{:.0f}\" y=\"16\">before, um (max {:.1f})</text>\n", kLeft, max_before);
+    svg += fmt::format("<text x=\"{:.0f}\" y=\"16\">after, um (max {:.2f})</text>\n", right, max_after);
     double y = kTop;
-    for (const std::size_t i : farthest_first(fit)) {
-        svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">tip {}</text>\n", kLeft - 8,
+    for (const std::size_t i : indices_by_error(fit)) {
+        svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">TCP {}</text>\n", kLeft - 8,
                            y + 10, i + 1);
         const auto bar = [&](double x, double length, const char* colour) {
             svg +=

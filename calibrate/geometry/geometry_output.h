@@ -3,8 +3,7 @@
 #include <span>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/geometry/geometry_fit.h"
 #include "calibrate/geometry/squareness.h"
 
@@ -12,7 +11,7 @@ namespace gsim::calibrate {
 
 /// Returns the machine file of a fit, with the results at its top as comments. The error: programs would
 /// reject it.
-tl::expected<std::string, std::string> geometry_text(const GeometryFit& fit);
+Result<std::string> geometry_text(const GeometryFit& fit);
 
 /// Returns a table for people: results with their spread, undetermined deviations, squareness, and TCP errors
 /// before and after, the worst first.

@@ -25,7 +25,7 @@ struct TcpColumns {
     std::size_t sigma_mm = kNoColumn, sigma_deg = kNoColumn;
 };
 
-tl::expected<TcpColumns, std::string> find_columns(const Cells& heading, const machine::Machine& machine) {
+Result<TcpColumns> find_columns(const Cells& heading, const machine::Machine& machine) {
     const auto at = [&](std::string_view name) { return find_column(heading, name).value_or(kNoColumn); };
     TcpColumns columns;
     for (const machine::Axis& axis : machine.axes) columns.axes.push_back(at({&axis.letter, 1}));
@@ -33,11 +33,11 @@ tl::expected<TcpColumns, std::string> find_columns(const Cells& heading, const m
         columns.position[i] = at(kPositionColumns[i]);
         columns.angles[i] = at(kOrientationColumns[i]);
         if (columns.position[i] == kNoColumn)
-            return tl::unexpected(
-                fmt::format("line 1: it should name the columns, '{}' among them", kPositionColumns[i]));
+            return Unexpected(
+                fmt::format("line 1: it must name the columns, '{}' among them", kPositionColumns[i]));
         if ((columns.angles[i] == kNoColumn) != (columns.angles[0] == kNoColumn))
-            return tl::unexpected<std::string>(
-                "line 1: an orientation has all of the columns 'roll_deg', 'pitch_deg' and 'yaw_deg'");
+            return Unexpected(
+                "line 1: an orientation requires all of the columns 'roll_deg', 'pitch_deg' and 'yaw_deg'");
     }
     columns.sigma_mm = at("sigma_mm");
     columns.sigma_deg = at("sigma_deg");
@@ -56,17 +56,17 @@ class TcpRow {
             return 0;
         }
         const auto value = parse_number(cells_[column]);
-        if (!value && error_.empty()) error_ = fmt::format("'{}' should be a number", cells_[column]);
+        if (!value && error_.empty()) error_ = fmt::format("'{}' must be a number", cells_[column]);
         return value.value_or(0);
     }
     std::optional<double> sigma(std::size_t column) {
         if (!has(column)) return std::nullopt;
         const double value = number(column);
         if (!(value > 0) && error_.empty())
-            error_ = fmt::format("'{}' should be a standard deviation above 0", cells_[column]);
+            error_ = fmt::format("'{}' must be a standard deviation greater than 0", cells_[column]);
         return value;
     }
-    tl::expected<MeasuredTcp, std::string> or_error(const MeasuredTcp& tcp) const {
+    Result<MeasuredTcp> or_error(const MeasuredTcp& tcp) const {
         if (!error_.empty()) return tl::unexpected(error_);
         return tcp;
     }
@@ -81,8 +81,7 @@ bool is_measured(const TcpRow& line, const TcpColumns& columns) {
                        [&](std::size_t column) { return line.has(column); });
 }
 
-tl::expected<MeasuredTcp, std::string> parse_tcp_row(TcpRow& line, const TcpColumns& columns,
-                                                     const machine::Machine& machine) {
+Result<MeasuredTcp> parse_tcp_row(TcpRow& line, const TcpColumns& columns, const machine::Machine& machine) {
     MeasuredTcp tcp;
     for (std::size_t i = 0; i < columns.axes.size(); ++i)
         tcp.readings.push_back(columns.axes[i] == kNoColumn ? machine.axes[i].home
@@ -105,7 +104,7 @@ tl::expected<MeasuredTcp, std::string> parse_tcp_row(TcpRow& line, const TcpColu
 
 }  // namespace
 
-tl::expected<TcpList, std::string> read_tcps(std::string_view list, const machine::Machine& machine) {
+Result<TcpList> read_tcps(std::string_view list, const machine::Machine& machine) {
     TcpList found;
     TcpColumns columns;
     const auto heading = [&](const Cells& cells) {

@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "machine/model/machine.h"
 
 namespace gsim::calibrate {
@@ -31,7 +30,7 @@ struct TcpList {
 /// of each axis of the machine (an omitted one is at home), x_mm, y_mm, z_mm. Optional are roll_deg,
 /// pitch_deg, yaw_deg of the tool in the order of machine files, Rz(roll) Ry(pitch) Rx(yaw); sigma_mm and
 /// sigma_deg. Other columns are skipped. The error begins with the line.
-tl::expected<TcpList, std::string> read_tcps(std::string_view list, const machine::Machine& machine);
+Result<TcpList> read_tcps(std::string_view list, const machine::Machine& machine);
 
 /// Prints such a list. Without `measured` the columns of TCPs are empty, for users to fill in.
 std::string print_tcps(const std::vector<MeasuredTcp>& tcps, const machine::Machine& machine,

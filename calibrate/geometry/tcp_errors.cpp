@@ -39,15 +39,15 @@ std::vector<TcpError> tcp_errors(const Geometry& geometry, std::span<const Measu
 }
 
 TcpErrorSummary summarize_errors(std::span<const TcpError> errors) {
-    double mm2 = 0, deg2 = 0, max_mm2 = 0, max_deg2 = 0;
+    double position_sum_mm2 = 0, deg2 = 0, max_mm2 = 0, max_deg2 = 0;
     for (const TcpError& error : errors) {
-        mm2 += error.mm.squaredNorm();
+        position_sum_mm2 += error.mm.squaredNorm();
         deg2 += error.deg.squaredNorm();
         max_mm2 = std::max(max_mm2, error.mm.squaredNorm());
         max_deg2 = std::max(max_deg2, error.deg.squaredNorm());
     }
     const double count = std::max<double>(static_cast<double>(errors.size()), 1);
-    return {.rms_um = std::sqrt(mm2 / count) * kMicrometresPerMm,
+    return {.rms_um = std::sqrt(position_sum_mm2 / count) * kMicrometresPerMm,
             .max_um = std::sqrt(max_mm2) * kMicrometresPerMm,
             .rms_arcsec = std::sqrt(deg2 / count) * kArcsecPerDeg,
             .max_arcsec = std::sqrt(max_deg2) * kArcsecPerDeg};

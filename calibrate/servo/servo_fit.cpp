@@ -267,12 +267,11 @@ std::vector<double> simulate_following(const Servo& servo, const AxisRecord& rec
     return positions;
 }
 
-tl::expected<ServoFit, std::string> fit_servo(const AxisRecord& record) {
+Result<ServoFit> fit_servo(const AxisRecord& record) {
     const auto [min, max] = std::minmax_element(record.set_points.begin(), record.set_points.end());
-    if (!(*max - *min > kMinError)) return tl::unexpected<std::string>("it does not move");
+    if (!(*max - *min > kMinError)) return Unexpected("it does not move");
     const double error_rms = rms(following_errors(record));
-    if (error_rms < kMinError)
-        return tl::unexpected<std::string>("it follows without an error that could tell");
+    if (error_rms < kMinError) return Unexpected("it has no following error that can be fitted");
     const SolvedModel solved = fit_best_model(record);
     ServoFit fit{record.letter, solved.model.servo, fitted_parameters(solved, record), error_rms, 0};
     fit.residual_rms = std::sqrt(solved.squares / static_cast<double>(record.t_s.size()));

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/servo/servo_record.h"
 #include "machine/model/servo_table.h"
 
@@ -36,6 +35,6 @@ std::vector<double> simulate_following(const machine::Servo& servo, const AxisRe
 /// gain alone, and adds parameters one by one (lag, feed-forward of speed or of acceleration, delay). Each
 /// must reduce the Bayesian information criterion (Schwarz, 1978) by at least ten. The error: the axis does
 /// not move, or follows without a usable error.
-tl::expected<ServoFit, std::string> fit_servo(const AxisRecord& record);
+Result<ServoFit> fit_servo(const AxisRecord& record);
 
 }  // namespace gsim::calibrate

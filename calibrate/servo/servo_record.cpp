@@ -13,7 +13,7 @@ namespace gsim::calibrate {
 
 namespace {
 
-using Records = tl::expected<std::vector<AxisRecord>, std::string>;
+using Records = Result<std::vector<AxisRecord>>;
 
 constexpr std::string_view kLineBlanks = " \t\r\n";
 constexpr std::size_t kMinSamples = 20;
@@ -63,7 +63,7 @@ class AxisSamples {
 
     Records release_records() {
         if (records_.front().t_s.size() < kMinSamples)
-            return tl::unexpected(fmt::format("there are less than {} samples in it", kMinSamples));
+            return Unexpected(fmt::format("it has fewer than {} samples", kMinSamples));
         return std::move(records_);
     }
 
@@ -93,22 +93,21 @@ std::vector<AxisColumns> named_columns(const Cells& heading) {
 Records read_named(std::string_view text) {
     std::optional<AxisSamples> samples;
     std::size_t time = 0;
-    const auto heading = [&](const Cells& cells) -> tl::expected<void, std::string> {
+    const auto heading = [&](const Cells& cells) -> Result<void> {
         const auto at = find_column(cells, "t_s");
         auto columns = named_columns(cells);
         if (!at || columns.empty()) {
-            return tl::unexpected<std::string>(
-                "the columns should be t_s and of each axis two: its set point x_mm, and its place x_at_mm "
-                "or "
-                "its following error x_error_mm");
+            return Unexpected(
+                "the columns must be t_s and two for each axis: its set point x_mm, and its actual position "
+                "x_at_mm or its following error x_error_mm");
         }
         time = *at;
         samples.emplace(std::move(columns));
         return {};
     };
-    const auto row = [&](const Cells& cells) -> tl::expected<void, std::string> {
+    const auto row = [&](const Cells& cells) -> Result<void> {
         const auto t_s = time < cells.size() ? parse_number(cells[time]) : std::nullopt;
-        if (!t_s || !samples->add(*t_s, cells)) return tl::unexpected<std::string>("a number is missing");
+        if (!t_s || !samples->add(*t_s, cells)) return Unexpected("a number is missing");
         return {};
     };
     if (const auto read = read_list(text, heading, row); !read) return tl::unexpected(read.error());
@@ -131,15 +130,15 @@ std::vector<AxisColumns> columns_from_letters(std::string_view columns) {
 Records read_columns(std::string_view text, const ServoFormat& columns_format) {
     auto columns = columns_from_letters(columns_format.columns);
     if (columns_format.period_s > 0 && columns.empty()) {
-        return tl::unexpected(fmt::format("'{}' has no axis with both its set point (X) and its place (x)",
-                                          columns_format.columns));
+        return Unexpected(
+            fmt::format("'{}' has no axis with both its set point (X) and its actual position (x)",
+                        columns_format.columns));
     }
     AxisSamples samples(std::move(columns));
-    const auto release_records = [&](int line, double t_s,
-                                     const Cells& words) -> tl::expected<void, std::string> {
+    const auto release_records = [&](int line, double t_s, const Cells& words) -> Result<void> {
         if (words.size() == columns_format.columns.size() && samples.add(t_s, words)) return {};
-        return tl::unexpected(fmt::format("line {}: not the {} numbers of '{}' (--sample-columns)", line,
-                                          columns_format.columns.size(), columns_format.columns));
+        return Unexpected(fmt::format("line {}: it must have the {} numbers of '{}' (--sample-columns)", line,
+                                      columns_format.columns.size(), columns_format.columns));
     };
     if (auto read =
             read_halsampler(text, columns_format.columns.size(), columns_format.period_s, release_records);
@@ -152,7 +151,7 @@ Records read_columns(std::string_view text, const ServoFormat& columns_format) {
 
 Records read_servo_record(std::string_view text, const ServoFormat& columns_format) {
     const std::size_t start = text.find_first_not_of(kLineBlanks);
-    if (start == std::string_view::npos) return tl::unexpected<std::string>("it is empty");
+    if (start == std::string_view::npos) return Unexpected("it is empty");
     const bool numbers = is_halsampler(text.substr(start, text.find('\n', start) - start));
     return numbers ? read_columns(text, columns_format) : read_named(text.substr(start));
 }

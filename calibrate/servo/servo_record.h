@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::calibrate {
 
@@ -29,7 +29,6 @@ struct ServoFormat {
 ///   --following writes it;
 /// - output of LinuxCNC's halsampler: numbers in columns, with or without its -t.
 /// Samples with a time that does not rise are left out. The error names the line and what it lacks.
-tl::expected<std::vector<AxisRecord>, std::string> read_servo_record(std::string_view text,
-                                                                     const ServoFormat& columns_format);
+Result<std::vector<AxisRecord>> read_servo_record(std::string_view text, const ServoFormat& columns_format);
 
 }  // namespace gsim::calibrate

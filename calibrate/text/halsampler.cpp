@@ -23,12 +23,12 @@ bool is_halsampler(std::string_view line) {
     });
 }
 
-tl::expected<void, std::string> read_halsampler(std::string_view text, std::size_t columns, double period_s,
-                                                const SampleHandler& on_sample) {
+Result<void> read_halsampler(std::string_view text, std::size_t columns, double period_s,
+                             const SampleHandler& on_sample) {
     if (!(period_s > 0)) {
-        return tl::unexpected<std::string>(
-            "columns of numbers without times, as halsampler prints them: --sample-period says how far apart "
-            "they are");
+        return Unexpected(
+            "columns of numbers without times, as halsampler prints them: --sample-period sets the time "
+            "between them");
     }
     double count = 0;
     for (int line = 1; !text.empty(); ++line) {

@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/text/list.h"
 
 namespace gsim::calibrate {
@@ -19,13 +18,12 @@ bool is_halsampler(std::string_view line);
 
 /// Function that receives a sample: the number of its line, its time in s and its columns. The error
 /// describes the problem.
-using SampleHandler =
-    std::function<tl::expected<void, std::string>(int line, double t_s, const Cells& columns)>;
+using SampleHandler = std::function<Result<void>(int line, double t_s, const Cells& columns)>;
 
 /// Reads the output of halsampler, samples of `columns` numbers each, `period_s` apart, with or without its
 /// -t (the number of the sample in front). If samples were lost ("overrun") these numbers show how many. The
 /// error: of `take`, or an unknown period.
-tl::expected<void, std::string> read_halsampler(std::string_view text, std::size_t columns, double period_s,
-                                                const SampleHandler& on_sample);
+Result<void> read_halsampler(std::string_view text, std::size_t columns, double period_s,
+                             const SampleHandler& on_sample);
 
 }  // namespace gsim::calibrate

@@ -41,9 +41,8 @@ std::optional<double> parse_number(std::string_view cell) {
     return value;
 }
 
-tl::expected<void, std::string> read_list(std::string_view list, const RowHandler& heading,
-                                          const RowHandler& row) {
-    if (list.empty()) return tl::unexpected<std::string>("it is empty");
+Result<void> read_list(std::string_view list, const RowHandler& heading, const RowHandler& row) {
+    if (list.empty()) return Unexpected("it is empty");
     std::string_view separators = ",";
     for (int number = 1; !list.empty(); ++number) {
         const std::size_t end = std::min(list.find('\n'), list.size());
@@ -54,7 +53,7 @@ tl::expected<void, std::string> read_list(std::string_view list, const RowHandle
             if (auto handled = heading(split_cells(line, separators)); !handled) return handled;
         } else if (!line.empty()) {
             if (const auto handled = row(split_cells(line, separators)); !handled)
-                return tl::unexpected(fmt::format("line {}: {}", number, handled.error()));
+                return Unexpected(fmt::format("line {}: {}", number, handled.error().message));
         }
     }
     return {};

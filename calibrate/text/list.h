@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::calibrate {
 
@@ -23,12 +23,11 @@ std::optional<std::size_t> find_column(const Cells& heading, std::string_view na
 std::optional<double> parse_number(std::string_view cell);
 
 /// Function that receives the cells of a line; the error describes what is wrong with them.
-using RowHandler = std::function<tl::expected<void, std::string>(const Cells& cells)>;
+using RowHandler = std::function<Result<void>(const Cells& cells)>;
 
 /// Reads a list, one item a line, separated by commas, or by tabs if the first line has one. The first line
 /// names the columns and is passed to `heading`. The other non-empty lines are passed to `row`, and its
 /// errors get the number of the line. A list without a line is an error.
-tl::expected<void, std::string> read_list(std::string_view list, const RowHandler& heading,
-                                          const RowHandler& row);
+Result<void> read_list(std::string_view list, const RowHandler& heading, const RowHandler& row);
 
 }  // namespace gsim::calibrate

@@ -28,7 +28,7 @@ constexpr double kMinNoise = 2e-4;    // of times: no clock and no model is bett
 class TimeModel : public ceres::EvaluationCallback {
   public:
     TimeModel(const machine::Machine& machine, const std::vector<Parameter>& parameters,
-              const std::vector<Datum>& data, const Predictor& predictor)
+              const std::vector<TimedInterval>& data, const Predictor& predictor)
         : machine_(machine),
           parameters_(parameters),
           data_(data),
@@ -36,7 +36,7 @@ class TimeModel : public ceres::EvaluationCallback {
           logs(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()))) {}
 
     /// Plans at `logs` for the first time; the error names the program that does not reach its end.
-    tl::expected<void, std::string> begin() {
+    Result<void> begin() {
         const auto times_s = predictor_.times_s(data_, machine_at(logs));
         if (!times_s) return tl::unexpected(times_s.error());
         set_times(logarithms(*times_s));
@@ -90,7 +90,7 @@ class TimeModel : public ceres::EvaluationCallback {
 
     const machine::Machine& machine_;
     const std::vector<Parameter>& parameters_;
-    const std::vector<Datum>& data_;
+    const std::vector<TimedInterval>& data_;
     const Predictor& predictor_;
     Eigen::VectorXd evaluated_at_;  // to which log_times and slopes belong
 
@@ -101,14 +101,14 @@ class TimeModel : public ceres::EvaluationCallback {
 };
 
 /// Returns the unit of one percent of a time: larger for a time that is short relative to its clock error.
-double residual_unit(const Datum& datum) {
+double residual_unit(const TimedInterval& datum) {
     return std::hypot(kResidualUnit, datum.clock_error_s / datum.time_s);
 }
 
 /// Error of one time, in percent.
 class TimeResidual : public ceres::CostFunction {
   public:
-    TimeResidual(const TimeModel& times, Eigen::Index index, const Datum& datum)
+    TimeResidual(const TimeModel& times, Eigen::Index index, const TimedInterval& datum)
         : times_(times), index_(index), log_recorded_(std::log(datum.time_s)), unit_(residual_unit(datum)) {
         set_num_residuals(1);
         mutable_parameter_block_sizes()->push_back(static_cast<int>(times.logs.size()));
@@ -151,8 +151,9 @@ class Prior : public ceres::CostFunction {
 };
 
 /// Solves, and returns the remaining cost.
-double solve(TimeModel& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters,
-             int max_steps, const std::function<void(const std::string&)>& on_message) {
+double solve(TimeModel& times, const std::vector<TimedInterval>& data,
+             const std::vector<Parameter>& parameters, int max_steps,
+             const std::function<void(const std::string&)>& on_message) {
     ceres::Problem::Options options;
     options.evaluation_callback = &times;
     ceres::Problem problem(options);
@@ -191,7 +192,7 @@ bool is_wait(const Parameter& parameter) {
 
 /// Estimates start values of words' times and the other waits from the missing times, with all other
 /// parameters as they are, if words take time.
-void initialize_waits(TimeModel& times, const std::vector<Datum>& data,
+void initialize_waits(TimeModel& times, const std::vector<TimedInterval>& data,
                       const std::vector<Parameter>& parameters) {
     const bool any = std::any_of(parameters.begin(), parameters.end(),
                                  [](const Parameter& each) { return each.parameter_id.of == "times"; });
@@ -222,7 +223,7 @@ void initialize_waits(TimeModel& times, const std::vector<Datum>& data,
 
 /// A high share for speed in curves leaves little for their ramps, and vice versa. Both may explain a curve's
 /// time, and a fit finds the nearer solution, so it begins at several. Returns the best end first.
-std::vector<FitEnd> solve_from_all_starts(TimeModel& times, const std::vector<Datum>& data,
+std::vector<FitEnd> solve_from_all_starts(TimeModel& times, const std::vector<TimedInterval>& data,
                                           const std::vector<Parameter>& parameters, const FitOptions& options,
                                           const std::function<void(const std::string&)>& on_message) {
     std::vector<FitEnd> ends;
@@ -269,7 +270,7 @@ Eigen::MatrixXd covariance_between_ends(const std::vector<FitEnd>& ends, std::si
 
 /// Judges which parameters the runs determine, and how well. The residuals are the noise of the times, and
 /// without runs only the magnitude of a parameter is known.
-void estimate_uncertainty(const TimeModel& times, const std::vector<Datum>& data,
+void estimate_uncertainty(const TimeModel& times, const std::vector<TimedInterval>& data,
                           const std::vector<FitEnd>& ends, Fit& fit) {
     const Eigen::Index count = times.logs.size();
     Eigen::MatrixXd slopes = times.slopes;
@@ -306,9 +307,9 @@ double residual_noise(const Fit& fit, std::span<const RecordedRun> runs) {
 }
 
 /// Returns open parameters; for words only those that programs contain.
-std::vector<Parameter> select_parameters(const machine::Machine& machine, const OpenParameters& open,
+std::vector<Parameter> select_parameters(const machine::Machine& machine, const FreeParameters& open,
                                          const std::vector<std::string>& words) {
-    std::vector<Parameter> parameters = open_parameters(machine, open);
+    std::vector<Parameter> parameters = free_parameters(machine, open);
     std::erase_if(parameters, [&](const Parameter& each) {
         return each.parameter_id.of == "times" &&
                std::find(words.begin(), words.end(), each.parameter_id.key) == words.end();
@@ -318,13 +319,13 @@ std::vector<Parameter> select_parameters(const machine::Machine& machine, const 
 
 }  // namespace
 
-tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
-                                         const Predictor& predictor, const FitOptions& options,
-                                         const std::function<void(const std::string&)>& on_message) {
-    const std::vector<Datum> data = predictor.data();
+Result<Fit> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
+                      const Predictor& predictor, const FitOptions& options,
+                      const std::function<void(const std::string&)>& on_message) {
+    const std::vector<TimedInterval> data = predictor.data();
     const std::vector<Parameter> parameters = select_parameters(machine, options.open, predictor.words());
     if (runs.empty() || parameters.empty())
-        return tl::unexpected<std::string>("there is nothing to fit: no runs, or no figure that is open");
+        return Unexpected("there is nothing to fit: no runs, or no open parameter");
     TimeModel times(machine, parameters, data, predictor);
     for (std::size_t k = 0; k < parameters.size(); ++k)
         times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].first);

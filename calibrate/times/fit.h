@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/times/parameter.h"
 #include "calibrate/times/predictor.h"
 
@@ -32,7 +31,7 @@ struct Fit {
 };
 
 struct FitOptions {
-    OpenParameters open = {};
+    FreeParameters open = {};
     int max_steps = 15;
     bool multi_start = false;  ///< From several shares for curves, of which two may explain the same times.
 };
@@ -42,8 +41,8 @@ struct FitOptions {
 /// Levenberg-Marquardt). Parameters that the runs do not determine stay near their values. Derivatives are
 /// differences over 1 % of each parameter. `told` receives a message on each step. The error names a program
 /// that does not reach its end, or reports too few runs.
-tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
-                                         const Predictor& predictor, const FitOptions& options,
-                                         const std::function<void(const std::string&)>& on_message = {});
+Result<Fit> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
+                      const Predictor& predictor, const FitOptions& options,
+                      const std::function<void(const std::string&)>& on_message = {});
 
 }  // namespace gsim::calibrate

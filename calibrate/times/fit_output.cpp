@@ -44,12 +44,12 @@ ErrorSummary run_errors(const Fit& fit, std::span<const RecordedRun> runs) {
 
 std::string value_text(const FittedParameter& parameter) {
     if (!parameter.identified)
-        return fmt::format("{:.6g}, of which these runs tell nothing by itself", parameter.value);
-    return fmt::format("{:.6g}, to {:.2g} % (one standard deviation)", parameter.value,
+        return fmt::format("{:.6g}, not determined by these runs alone", parameter.value);
+    return fmt::format("{:.6g} +- {:.2g} % (one standard deviation)", parameter.value,
                        100 * parameter.standard_deviation);
 }
 
-std::vector<std::size_t> worst_first(const Fit& fit, std::span<const RecordedRun> runs) {
+std::vector<std::size_t> runs_by_error(const Fit& fit, std::span<const RecordedRun> runs) {
     std::vector<std::size_t> order(runs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -77,8 +77,8 @@ machine::Calibration make_calibration(const Fit& fit) {
 std::string machine_text(const Fit& fit, std::span<const RecordedRun> runs) {
     const ErrorSummary errors = run_errors(fit, runs);
     std::string text = fmt::format(
-        "# Fitted to the times of {} recorded runs by gsim-calibrate: {:.2f} % off in the mean, {:.2f} % at "
-        "worst.\n",
+        "# Fitted to the times of {} recorded runs by gsim-calibrate: mean error {:.2f} %, max error {:.2f} "
+        "%.\n",
         runs.size(), errors.mean_percent, errors.largest_percent);
     for (const FittedParameter& parameter : fit.parameters)
         text += fmt::format("# {} = {}\n", machine::parameter_name(parameter.parameter_id),
@@ -94,12 +94,12 @@ std::string fit_table(const Fit& fit, std::span<const RecordedRun> runs) {
         text += fmt::format("  {} = {}\n", machine::parameter_name(parameter.parameter_id),
                             value_text(parameter));
     text += fmt::format("\n{:<40} {:>12} {:>12} {:>9}\n", "run", "recorded s", "fitted s", "error %");
-    for (const std::size_t i : worst_first(fit, runs)) {
+    for (const std::size_t i : runs_by_error(fit, runs)) {
         text += fmt::format("{:<40} {:>12.3f} {:>12.3f} {:>+9.2f}\n", run_name(runs[i]), runs[i].time_s,
                             fit.times_s[i], error_percent(fit, runs, i));
     }
     const ErrorSummary errors = run_errors(fit, runs);
-    return text + fmt::format("\n{} runs, {:.2f} % off in the mean, {:.2f} % at worst\n", runs.size(),
+    return text + fmt::format("\n{} runs, mean error {:.2f} %, max error {:.2f} %\n", runs.size(),
                               errors.mean_percent, errors.largest_percent);
 }
 
@@ -129,8 +129,8 @@ std::string fit_json(const Fit& fit, std::span<const RecordedRun> runs,
     for (const Score& score : selection->scores) {
         Json& entry = models.emplace_back(Json{{"name", score.name}});
         entry["fitted_percent"] = score.error_text.empty() ? Json(score.fitted_percent) : Json(nullptr);
-        entry["foretold_percent"] = score.is_predicted ? Json(score.mean_percent) : Json(nullptr);
-        entry["foretold_largest_percent"] = score.is_predicted ? Json(score.largest_percent) : Json(nullptr);
+        entry["predicted_percent"] = score.is_predicted ? Json(score.mean_percent) : Json(nullptr);
+        entry["predicted_largest_percent"] = score.is_predicted ? Json(score.largest_percent) : Json(nullptr);
         if (!score.error_text.empty()) entry["refused"] = score.error_text;
     }
     json["chosen"] = selection->scores[selection->best].name;
@@ -144,11 +144,11 @@ std::string residuals_svg(const Fit& fit, std::span<const RecordedRun> runs) {
     const double height = kTop + kRow * static_cast<double>(runs.size()) + 10;
     std::string svg = svg_header(middle + kHalfWidth + 20, height);
     svg += fmt::format(
-        "<text x=\"{0:.0f}\" y=\"16\" text-anchor=\"middle\">fitted - recorded, % (at most {1:.2f})</text>\n"
-        "<line x1=\"{0:.0f}\" y1=\"22\" x2=\"{0:.0f}\" y2=\"{2:.0f}\" stroke=\"#888\"/>\n",
+        "<text x=\"{0:.0f}\" y=\"16\" text-anchor=\"middle\">fitted - recorded, % (max "
+        "{1:.2f})</text>\n<line x1=\"{0:.0f}\" y1=\"22\" x2=\"{0:.0f}\" y2=\"{2:.0f}\" stroke=\"#888\"/>\n",
         middle, max, height - 5);
     double y = kTop;
-    for (const std::size_t i : worst_first(fit, runs)) {
+    for (const std::size_t i : runs_by_error(fit, runs)) {
         const double error = error_percent(fit, runs, i);
         const double length = std::abs(error) / max * kHalfWidth;
         svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>\n", kLeft - 8,

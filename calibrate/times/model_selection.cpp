@@ -64,7 +64,7 @@ class Trial {
                 score.fitted_percent +=
                     std::abs(runs_[i].error_percent(fit->times_s[i])) / static_cast<double>(runs_.size());
         } else {
-            score.error_text = fit.error();
+            score.error_text = fit.error().message;
         }
         notify(score);
         if (!fit) return std::nullopt;
@@ -77,7 +77,7 @@ class Trial {
         evaluated.errors_percent.assign(runs_.size(), 0);
         for (std::size_t part = 0; part < parts_; ++part) {
             if (const auto done = predict(evaluated, part); !done) {
-                score.error_text = done.error();
+                score.error_text = done.error().message;
                 notify(score);
                 return false;
             }
@@ -99,7 +99,7 @@ class Trial {
     const std::vector<Score>& scores() const { return scores_; }
 
   private:
-    tl::expected<void, std::string> predict(EvaluatedCandidate& evaluated, std::size_t part) const {
+    Result<void> predict(EvaluatedCandidate& evaluated, std::size_t part) const {
         const auto others = part_indices(runs_.size(), parts_, part, false);
         const auto indices = part_indices(runs_.size(), parts_, part, true);
         const auto fit = fit_times(evaluated.candidate.machine, select_runs(runs_, others),
@@ -108,7 +108,7 @@ class Trial {
         const auto times = predictor_.part(indices).times_s(fit->machine);
         for (std::size_t i = 0; i < indices.size(); ++i) {
             const RecordedRun& run = runs_[indices[i]];
-            if (!times[i]) return tl::unexpected(fmt::format("{}: {}", run.program, times[i].error()));
+            if (!times[i]) return Unexpected(fmt::format("{}: {}", run.program, times[i].error().message));
             evaluated.errors_percent[indices[i]] = std::abs(run.error_percent(*times[i]));
         }
         return {};
@@ -120,8 +120,8 @@ class Trial {
             return on_message_(fmt::format("{}: {}", score.name, score.error_text));
         if (!score.is_predicted)
             return on_message_(
-                fmt::format("{}: fitted to {:.2f} % in the mean", score.name, score.fitted_percent));
-        on_message_(fmt::format("{}: foretells to {:.2f} % in the mean, {:.2f} % at worst", score.name,
+                fmt::format("{}: fitted with a mean error of {:.2f} %", score.name, score.fitted_percent));
+        on_message_(fmt::format("{}: predicts with a mean error of {:.2f} %, max error {:.2f} %", score.name,
                                 score.mean_percent, score.largest_percent));
     }
 
@@ -215,9 +215,9 @@ EvaluatedCandidate refine_repeatedly(EvaluatedCandidate evaluated, Trial& trial)
 
 }  // namespace
 
-tl::expected<ModelSelection, std::string> select_model(
-    std::span<const Candidate> candidates, std::span<const RecordedRun> runs, const Predictor& predictor,
-    std::size_t parts, const std::function<void(const std::string&)>& on_message) {
+Result<ModelSelection> select_model(std::span<const Candidate> candidates, std::span<const RecordedRun> runs,
+                                    const Predictor& predictor, std::size_t parts,
+                                    const std::function<void(const std::string&)>& on_message) {
     Trial trial(runs, predictor, parts, on_message);
     std::vector<EvaluatedCandidate> evaluated = evaluate_candidates(candidates, trial);
     if (evaluated.empty())

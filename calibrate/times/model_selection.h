@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/times/fit.h"
 #include "calibrate/times/models.h"
 
@@ -36,8 +35,8 @@ struct ModelSelection {
 /// if it predicts better. It must be better by a tenth (and 0.1 %) or by more than the standard error of the
 /// difference, twice that for a refinement. The order of the candidates is from simple to less simple. The
 /// error: none could be fitted.
-tl::expected<ModelSelection, std::string> select_model(
-    std::span<const Candidate> candidates, std::span<const RecordedRun> runs, const Predictor& predictor,
-    std::size_t parts, const std::function<void(const std::string&)>& on_message = {});
+Result<ModelSelection> select_model(std::span<const Candidate> candidates, std::span<const RecordedRun> runs,
+                                    const Predictor& predictor, std::size_t parts,
+                                    const std::function<void(const std::string&)>& on_message = {});
 
 }  // namespace gsim::calibrate

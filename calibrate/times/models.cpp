@@ -43,12 +43,12 @@ ControllerRules generic_rules(const ControllerRules& machines, const Corners& co
     ControllerRules rules = machines;
     rules.model = "exact-stop";
     rules.planner = PlannerKind::look_ahead;
-    rules.look_ahead_blocks = kUnlimitedLookAhead;
-    rules.corner = corners.rule;
-    rules.exact_path_corner = rrs::is_blend(corners.rule) ? CornerRule::velocity_step : corners.rule;
-    rules.stop_between_rapid_and_feed = false;
-    rules.centripetal_share = 0.866;
-    rules.servo_period_s = 0;
+    rules.blocks.look_ahead = kUnlimitedLookAhead;
+    rules.corners.continuous = corners.rule;
+    rules.corners.exact_path = rrs::is_blend(corners.rule) ? CornerRule::velocity_step : corners.rule;
+    rules.corners.stop_between_rapid_and_feed = false;
+    rules.ramps.centripetal_share = 0.866;
+    rules.position_loop.servo_period_s = 0;
     return rules;
 }
 
@@ -57,14 +57,14 @@ ControllerRules generic_rules(const ControllerRules& machines, const Corners& co
 /// at a time would not find them.
 ControllerRules overlay_rules(const ControllerRules& machines) {
     ControllerRules rules = generic_rules(machines, {"", CornerRule::parabolic_blend});
-    rules.exact_path_corner = CornerRule::stop;
-    rules.stop_between_rapid_and_feed = true;
-    rules.continuous_acceleration_share = kInitialShare;
+    rules.corners.exact_path = CornerRule::stop;
+    rules.corners.stop_between_rapid_and_feed = true;
+    rules.ramps.continuous_acceleration_share = kInitialShare;
     return rules;
 }
 
 void limit_jerk(Machine& machine) {
-    machine.controller.limit_jerk = true;
+    machine.controller.ramps.limit_jerk = true;
     for (machine::Axis& axis : machine.axes) {
         if (!std::isfinite(axis.max_jerk) && std::isfinite(axis.max_acceleration))
             axis.max_jerk = kJerkPerAcceleration_1_s * axis.max_acceleration;
@@ -109,10 +109,10 @@ void refine_path(const Machine& machine, Refiner& refiner) {
 }
 
 void refine_look_ahead(const ControllerRules& rules, Refiner& refiner) {
-    if (rules.look_ahead_blocks != kUnlimitedLookAhead) return;
+    if (rules.blocks.look_ahead != kUnlimitedLookAhead) return;
     for (const std::size_t blocks : {16U, 64U}) {
         refiner.add(fmt::format("{} blocks ahead", blocks),
-                    [&](Candidate& to) { to.machine.controller.look_ahead_blocks = blocks; });
+                    [&](Candidate& to) { to.machine.controller.blocks.look_ahead = blocks; });
     }
 }
 
@@ -124,30 +124,30 @@ void refine_words(const Machine& machine, std::span<const std::string> words, Re
 }
 
 void refine_curves(const ControllerRules& rules, Refiner& refiner) {
-    if (rules.arc_chord_tolerance_mm <= 0 && !rrs::is_blend(rules.corner)) {
+    if (rules.curves.arc_chord_tolerance_mm <= 0 && !rrs::is_blend(rules.corners.continuous)) {
         refiner.add("arcs as chords within 0.005 mm",
-                    [](Candidate& to) { to.machine.controller.arc_chord_tolerance_mm = 0.005; });
+                    [](Candidate& to) { to.machine.controller.curves.arc_chord_tolerance_mm = 0.005; });
     }
-    if (rules.centripetal_share < 1) {
+    if (rules.ramps.centripetal_share < 1) {
         refiner.add("curves by themselves",
-                    [](Candidate& to) { to.machine.controller.centripetal_share = 1; });
+                    [](Candidate& to) { to.machine.controller.ramps.centripetal_share = 1; });
     }
-    if (std::isfinite(rules.centripetal_share)) {
+    if (std::isfinite(rules.ramps.centripetal_share)) {
         refiner.add("curves do not slow it", [](Candidate& to) {
-            to.machine.controller.centripetal_share = std::numeric_limits<double>::infinity();
+            to.machine.controller.ramps.centripetal_share = std::numeric_limits<double>::infinity();
         });
     }
 }
 
 }  // namespace
 
-std::vector<Candidate> generic_candidates(const Machine& machine, const OpenParameters& open) {
+std::vector<Candidate> generic_candidates(const Machine& machine, const FreeParameters& open) {
     std::vector<Candidate> candidates;
     const auto add = [&](const std::string& name, const ControllerRules& rules) {
         Machine straight = machine;
         straight.controller = rules;
-        straight.controller.limit_jerk = false;
-        candidates.push_back({name + ", straight ramps", straight, open});
+        straight.controller.ramps.limit_jerk = false;
+        candidates.push_back({name + ", constant acceleration", straight, open});
         limit_jerk(straight);
         candidates.push_back({name + ", limited jerk", std::move(straight), open});
     };
@@ -156,7 +156,7 @@ std::vector<Candidate> generic_candidates(const Machine& machine, const OpenPara
     exact_stop_rules.planner = PlannerKind::rest_to_rest;
     add("rest-to-rest", exact_stop_rules);
     for (const Corners& corners : kCorners) add(corners.name, generic_rules(machine.controller, corners));
-    add("overlaid moves", overlay_rules(machine.controller));
+    add("superimposed moves", overlay_rules(machine.controller));
     return candidates;
 }
 
@@ -169,25 +169,25 @@ std::vector<Candidate> refinements(const Candidate& candidate, std::span<const s
         refiner.add("speeds that are not known", [](Candidate& to) { to.open.speeds = true; });
     refine_path(candidate.machine, refiner);
     refine_words(candidate.machine, words, refiner);
-    if (rules.planner != PlannerKind::look_ahead) return refiner.release_candidates();
+    if (!rules.capabilities().applies_corner_rules) return refiner.release_candidates();
     refine_look_ahead(rules, refiner);
     refine_curves(rules, refiner);
-    if (rules.continuous_acceleration_share >= 1) {
+    if (rules.ramps.continuous_acceleration_share >= 1) {
         refiner.add("a part of the acceleration in continuous mode", [](Candidate& to) {
-            to.machine.controller.continuous_acceleration_share = kInitialShare;
+            to.machine.controller.ramps.continuous_acceleration_share = kInitialShare;
         });
     }
-    if (rules.block_time_s <= 0) {
+    if (rules.blocks.time_s <= 0) {
         refiner.add("a time for each block",
-                    [](Candidate& to) { to.machine.controller.block_time_s = kInitialBlock_s; });
+                    [](Candidate& to) { to.machine.controller.blocks.time_s = kInitialBlock_s; });
     }
-    if (rules.exact_path_corner != CornerRule::stop) {
+    if (rules.corners.exact_path != CornerRule::stop) {
         refiner.add("stops at corners in exact path mode",
-                    [](Candidate& to) { to.machine.controller.exact_path_corner = CornerRule::stop; });
+                    [](Candidate& to) { to.machine.controller.corners.exact_path = CornerRule::stop; });
     }
-    if (!rules.stop_between_rapid_and_feed) {
+    if (!rules.corners.stop_between_rapid_and_feed) {
         refiner.add("a stop between rapid and feed",
-                    [](Candidate& to) { to.machine.controller.stop_between_rapid_and_feed = true; });
+                    [](Candidate& to) { to.machine.controller.corners.stop_between_rapid_and_feed = true; });
     }
     return refiner.release_candidates();
 }

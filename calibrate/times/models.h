@@ -13,14 +13,14 @@ namespace gsim::calibrate {
 struct Candidate {
     std::string name;  ///< "velocity-step, straight ramps"
     machine::Machine machine;
-    OpenParameters open = {};
+    FreeParameters open = {};
 };
 
 /// Returns the machine with each generic planning method: from standstill to standstill, corners by a step of
 /// speed, by junction deviation or rounded within a tolerance, or overlaid moves. Rounding has a constant
 /// acceleration, or one that rises and falls. Each method comes with straight ramps and with limited jerk. No
 /// method is a model of an analysed controller.
-std::vector<Candidate> generic_candidates(const machine::Machine& machine, const OpenParameters& open);
+std::vector<Candidate> generic_candidates(const machine::Machine& machine, const FreeParameters& open);
 
 /// Returns possible refinements of a candidate, one change each, except those it already has. `words`: keys
 /// of [times] for which programs have words.

@@ -18,7 +18,7 @@ namespace gsim::calibrate {
 
 namespace {
 
-using Samples = tl::expected<std::vector<MotionSample>, std::string>;
+using Samples = Result<std::vector<MotionSample>>;
 
 constexpr std::string_view kRecordBlanks = " \t\r\"";
 
@@ -39,7 +39,7 @@ class SampleList {
         if (samples_.empty() || t_s > samples_.back().t_s) samples_.push_back({t_s, at_mm});
     }
     Samples release_samples() {
-        if (samples_.size() < 2) return tl::unexpected<std::string>("there are less than two samples in it");
+        if (samples_.size() < 2) return Unexpected("it has fewer than two samples");
         return std::move(samples_);
     }
 
@@ -108,8 +108,7 @@ Samples read_csv(std::string_view text) {
         if (!columns) {
             if (line.find(',') == std::string_view::npos) separators = "\t;";
             columns = csv_columns(line, separators);
-            if (!columns)
-                error_text = "line 1 should name the columns: t_s and x_mm, y_mm or z_mm among them";
+            if (!columns) error_text = "line 1 must name the columns: t_s, and x_mm, y_mm or z_mm";
             return columns.has_value();
         }
         const auto sample = csv_sample(split_cells(line, separators), *columns);
@@ -128,19 +127,17 @@ Samples read_csv(std::string_view text) {
 
 Samples read_columns(std::string_view text, const RecordFormat& record_format) {
     SampleList samples;
-    const auto release_samples = [&](int line, double t_s,
-                                     const Cells& columns) -> tl::expected<void, std::string> {
+    const auto release_samples = [&](int line, double t_s, const Cells& columns) -> Result<void> {
         if (columns.size() != record_format.columns.size()) {
-            return tl::unexpected(
-                fmt::format("line {}: {} columns, where '{}' is expected (--sample-columns)", line,
-                            columns.size(), record_format.columns));
+            return Unexpected(fmt::format("line {}: {} columns, but '{}' is expected (--sample-columns)",
+                                          line, columns.size(), record_format.columns));
         }
         Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const int axis = axis_index(record_format.columns[i]);
             const auto value = parse_trimmed_number(columns[i]);
             if (axis < 0) continue;
-            if (!value) return tl::unexpected(fmt::format("line {}: '{}' is no number", line, columns[i]));
+            if (!value) return Unexpected(fmt::format("line {}: '{}' is not a number", line, columns[i]));
             at_mm[axis] = *value;
         }
         samples.add(t_s, at_mm);
@@ -184,7 +181,7 @@ Samples read_grbl(std::string_view text) {
         const auto t_s = consume_time_s(line);
         if (!t_s) {
             error_text = fmt::format(
-                "line {}: a status report without a time in front: 12.345 or 12:34:56.789", number);
+                "line {}: a status report must begin with a time, such as 12.345 or 12:34:56.789", number);
             return false;
         }
         samples.add(*t_s, *at_mm);
@@ -274,7 +271,7 @@ Samples read_streams(std::string_view text) {
 
 Samples read_motion_record(std::string_view text, const RecordFormat& record_format) {
     const std::size_t start = text.find_first_not_of(" \t\r\n");
-    if (start == std::string_view::npos) return tl::unexpected<std::string>("it is empty");
+    if (start == std::string_view::npos) return Unexpected("it is empty");
     if (text.find("Pos:") != std::string_view::npos) return read_grbl(text);
     if (text.substr(start, 5) == "<?xml" || text.find("<Position ") != std::string_view::npos)
         return read_streams(text);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::calibrate {
 
@@ -31,7 +31,7 @@ struct RecordFormat {
 /// - MTConnect: a document of streams, or lines of an adapter ("2024-05-01T12:34:56.789Z|Xact|1.5"), by the
 ///   names (or items) Xact, Xabs, Xpos, X and so on.
 /// Times rise; samples with a time that does not are left out. The error names the line and what it lacks.
-tl::expected<std::vector<MotionSample>, std::string> read_motion_record(std::string_view text,
-                                                                        const RecordFormat& record_format);
+Result<std::vector<MotionSample>> read_motion_record(std::string_view text,
+                                                     const RecordFormat& record_format);
 
 }  // namespace gsim::calibrate

@@ -23,7 +23,7 @@ constexpr double kBoundFactor = 100;
 constexpr double kInitialWait_s = 0.01;
 constexpr double kMinWait_s = 1e-5;
 constexpr double kMaxWait_s = 1;
-constexpr double kMaxWord_s = 600;
+constexpr double kMaxWordTime_s = 600;
 
 /// Collector of open parameters.
 class Parameters {
@@ -49,7 +49,7 @@ class Parameters {
     }
     void add_word(const std::string& key) {
         const double now = parameter_value({"times", key});
-        found_.push_back({{"times", key}, now, kMinWait_s, std::max(kMaxWord_s, now)});
+        found_.push_back({{"times", key}, now, kMinWait_s, std::max(kMaxWordTime_s, now)});
     }
     std::vector<Parameter> release_parameters() { return std::move(found_); }
 
@@ -89,31 +89,33 @@ void add_axes(const Machine& machine, double Axis::*parameter_id, const char* li
 
 void add_curves(const ControllerRules& rules, Parameters& parameters) {
     const MachineParameter share{"controller", "centripetal_share"};
-    if (rules.centripetal_share < 1) {
+    if (rules.ramps.centripetal_share < 1) {
         parameters.add(share, 0.05, 0.999);
-    } else if (std::isfinite(rules.centripetal_share)) {
+    } else if (std::isfinite(rules.ramps.centripetal_share)) {
         parameters.add(share, 1, kBoundFactor);
     }
 }
 
 void add_corners(const ControllerRules& rules, Parameters& parameters) {
-    const auto has = [&](CornerRule rule) { return rules.corner == rule || rules.exact_path_corner == rule; };
+    const auto has = [&](CornerRule rule) {
+        return rules.corners.continuous == rule || rules.corners.exact_path == rule;
+    };
     if (has(CornerRule::velocity_step)) parameters.add_scaled({"controller", "speed_step_s"});
     if (has(CornerRule::junction_deviation)) parameters.add_scaled({"controller", "junction_deviation_mm"});
     if (has(CornerRule::smooth_blend) || has(CornerRule::parabolic_blend))
         parameters.add_scaled({"controller", "blend_tolerance_mm"});
     add_curves(rules, parameters);
-    if (rules.continuous_acceleration_share < 1)
+    if (rules.ramps.continuous_acceleration_share < 1)
         parameters.add({"controller", "continuous_acceleration_share"}, 0.1, 1);
 }
 
 }  // namespace
 
-std::vector<Parameter> open_parameters(const Machine& machine, const OpenParameters& open) {
+std::vector<Parameter> free_parameters(const Machine& machine, const FreeParameters& open) {
     Parameters parameters(machine);
     add_axes(machine, &Axis::max_acceleration, "max_acceleration_mm_s2", "max_acceleration_deg_s2",
              open.each_axis, parameters);
-    if (machine.controller.limit_jerk)
+    if (machine.controller.ramps.limit_jerk)
         add_axes(machine, &Axis::max_jerk, "max_jerk_mm_s3", "max_jerk_deg_s3", open.each_axis, parameters);
     if (open.speeds) {
         add_axes(machine, &Axis::max_speed, "max_speed_mm_s", "max_speed_deg_s", open.each_axis, parameters);
@@ -121,13 +123,13 @@ std::vector<Parameter> open_parameters(const Machine& machine, const OpenParamet
     }
     for (const char* limit : {"max_acceleration_mm_s2", "max_rapid_acceleration_mm_s2"})
         parameters.add_scaled({"path", limit});
-    if (machine.controller.planner == rrs::PlannerKind::look_ahead) {
+    const rrs::PlannerCapabilities& planner = machine.controller.capabilities();
+    if (planner.applies_corner_rules) {
         add_corners(machine.controller, parameters);
         parameters.add_scaled({"controller", "block_time_s"});
-        parameters.add_wait("settle_s");
     }
-    if (machine.controller.planner == rrs::PlannerKind::linuxcnc)
-        parameters.add_scaled({"controller", "servo_period_s"});
+    if (planner.waits_in_position) parameters.add_wait("settle_s");
+    if (planner.counts_servo_periods) parameters.add_scaled({"controller", "servo_period_s"});
     parameters.add_wait("rest_s");
     for (const std::string& key : machine::nonzero_time_keys(machine.times)) parameters.add_word(key);
     return parameters.release_parameters();

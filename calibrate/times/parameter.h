@@ -15,11 +15,11 @@ struct Parameter {
 };
 
 /// Open parameters of a machine in addition to those of its controller's rules.
-struct OpenParameters {
+struct FreeParameters {
     bool each_axis = false;  ///< Separate parameters for each axis, if axes begin with equal values.
     bool speeds = false;     ///< Speeds of axes and of the path.
 
-    bool operator==(const OpenParameters&) const = default;
+    bool operator==(const FreeParameters&) const = default;
 };
 
 /// Returns the open parameters of a machine, by its controller's rules:
@@ -29,7 +29,7 @@ struct OpenParameters {
 /// - waits at stops, and times of words if they take some.
 /// Bounds are factors of 100 around the machine's values; waits that it lacks begin at 10 ms. Unlimited
 /// values (inf) are not fitted.
-std::vector<Parameter> open_parameters(const machine::Machine& machine, const OpenParameters& open);
+std::vector<Parameter> free_parameters(const machine::Machine& machine, const FreeParameters& open);
 
 /// Returns the machine with these values of parameters, in their order.
 machine::Machine with_values(machine::Machine machine, const std::vector<Parameter>& parameters,

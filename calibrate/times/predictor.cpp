@@ -42,7 +42,7 @@ engine::Files files_with_machine(const std::string& machine) {
 std::string failure_text(const engine::Report& report) {
     if (report.alarm) return report.alarm->message;
     if (!report.violations.empty()) return report.violations.front().message;
-    return "it did not come to its end";
+    return "it did not run to its end";
 }
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
@@ -56,11 +56,10 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     work();
 }
 
-tl::expected<double, std::string> total_time_s(
-    const tl::expected<std::vector<simulation::ReplayedMove>, std::string>& moves) {
+Result<double> total_time_s(const Result<std::vector<simulation::ReplayedMove>>& moves) {
     if (!moves) return tl::unexpected(moves.error());
     const auto span = replay_span(*moves);
-    if (!span) return tl::unexpected<std::string>("nothing moves");
+    if (!span) return Unexpected("no motion");
     return span->end_s - span->start_s;
 }
 
@@ -92,14 +91,13 @@ void add_words(const simulation::MotionLog& log, std::set<std::string>& keys) {
 
 }  // namespace
 
-tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> runs,
-                                                   const ReadingOptions& reading_options,
-                                                   const machine::Machine& machine) {
+Result<Predictor> Predictor::of(std::span<const RecordedRun> runs, const ReadingOptions& reading_options,
+                                const machine::Machine& machine) {
     Predictor predictor;
     predictor.reading_options_ = reading_options;
     std::vector<std::shared_ptr<Program>> programs;
     for (const RecordedRun& run : runs) {
-        if (!read_bytes(run.program)) return tl::unexpected(fmt::format("cannot read {}", run.program));
+        if (!read_bytes(run.program)) return Unexpected(fmt::format("cannot read {}", run.program));
         programs.push_back(std::make_shared<Program>());
         programs.back()->file = run.program;
     }
@@ -108,8 +106,8 @@ tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> 
         Program& program = *programs[i];
         predictor.run(program, text);
         const bool is_total = runs[i].samples.empty() || !program.log.incomplete_reason().empty();
-        program.data = is_total ? std::vector<Datum>{{.time_s = runs[i].time_s}}
-                                : timing_data(runs[i], program.log, machine);
+        program.data = is_total ? std::vector<TimedInterval>{{.time_s = runs[i].time_s}}
+                                : timed_intervals(runs[i], program.log, machine);
     });
     predictor.programs_.assign(programs.begin(), programs.end());
     return predictor;
@@ -117,7 +115,7 @@ tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> 
 
 void Predictor::run(Program& program, const std::string& machine) const {
     if (const auto time_s = run_time_s(program.file, machine, &program.log); !time_s)
-        program.error_text = time_s.error();
+        program.error_text = time_s.error().message;
 }
 
 std::vector<std::string> Predictor::words() const {
@@ -133,9 +131,8 @@ Predictor Predictor::part(std::span<const std::size_t> indices) const {
     return selected;
 }
 
-tl::expected<double, std::string> Predictor::run_time_s(const std::string& program,
-                                                        const std::string& machine,
-                                                        simulation::MotionLog* log) const {
+Result<double> Predictor::run_time_s(const std::string& program, const std::string& machine,
+                                     simulation::MotionLog* log) const {
     engine::Request request;
     request.program = program;
     request.machine = kMachineFile;
@@ -154,19 +151,18 @@ tl::expected<double, std::string> Predictor::run_time_s(const std::string& progr
     const auto report = run->go();
     if (!report) return tl::unexpected(report.error().message);
     if (report->status != engine::RunStatus::completed) return tl::unexpected(failure_text(*report));
-    if (!(report->cycle_time_s > first_s)) return tl::unexpected<std::string>("nothing moves");
+    if (!(report->cycle_time_s > first_s)) return Unexpected("no motion");
     return report->cycle_time_s - first_s;
 }
 
-std::vector<tl::expected<Predictor::Moves, std::string>> Predictor::moves(
-    const machine::Machine& machine) const {
+std::vector<Result<Predictor::Moves>> Predictor::moves(const machine::Machine& machine) const {
     motion::PlannerSetup setup = simulation::make_planner_setup(machine);
     setup.overtravel_log.reset();
-    std::vector<tl::expected<Moves, std::string>> moves(programs_.size());
+    std::vector<Result<Moves>> moves(programs_.size());
     parallel_for(programs_.size(), [&](std::size_t i) {
         const Program& program = *programs_[i];
         if (!program.error_text.empty()) {
-            moves[i] = tl::unexpected(program.error_text);
+            moves[i] = Unexpected(program.error_text);
         } else if (program.log.incomplete_reason().empty()) {
             moves[i] = simulation::replay(program.log, setup, machine.times);
         } else {
@@ -179,16 +175,16 @@ std::vector<tl::expected<Predictor::Moves, std::string>> Predictor::moves(
     return moves;
 }
 
-std::vector<tl::expected<double, std::string>> Predictor::times_s(const machine::Machine& machine) const {
-    std::vector<tl::expected<double, std::string>> times;
+std::vector<Result<double>> Predictor::times_s(const machine::Machine& machine) const {
+    std::vector<Result<double>> times;
     for (const auto& each : moves(machine)) times.push_back(total_time_s(each));
     return times;
 }
 
-std::vector<Datum> Predictor::data() const {
-    std::vector<Datum> all;
+std::vector<TimedInterval> Predictor::data() const {
+    std::vector<TimedInterval> all;
     for (std::size_t i = 0; i < programs_.size(); ++i) {
-        for (Datum datum : programs_[i]->data) {
+        for (TimedInterval datum : programs_[i]->data) {
             datum.run = i;
             all.push_back(datum);
         }
@@ -196,16 +192,16 @@ std::vector<Datum> Predictor::data() const {
     return all;
 }
 
-tl::expected<std::vector<double>, std::string> Predictor::times_s(std::span<const Datum> data,
-                                                                  const machine::Machine& machine) const {
+Result<std::vector<double>> Predictor::times_s(std::span<const TimedInterval> data,
+                                               const machine::Machine& machine) const {
     const auto all = moves(machine);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (const auto is_total = total_time_s(all[i]); !is_total)
-            return tl::unexpected(fmt::format("{}: {}", programs_[i]->file, is_total.error()));
+            return Unexpected(fmt::format("{}: {}", programs_[i]->file, is_total.error().message));
     }
     std::vector<double> times;
-    for (const Datum& datum : data)
-        times.push_back(datum_time_s(datum, programs_[datum.run]->log, *all[datum.run]));
+    for (const TimedInterval& datum : data)
+        times.push_back(interval_time_s(datum, programs_[datum.run]->log, *all[datum.run]));
     return times;
 }
 

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
-#include "calibrate/times/datum.h"
+#include "base/error.h"
 #include "calibrate/times/recorded_run.h"
+#include "calibrate/times/timed_interval.h"
 #include "machine/model/machine.h"
 #include "runtime/motion_sources/motion_log.h"
 
@@ -26,9 +25,8 @@ class Predictor {
   public:
     /// Runs the programs on `machine`, with called programs from their folders. The error names the file that
     /// cannot be read.
-    static tl::expected<Predictor, std::string> of(std::span<const RecordedRun> runs,
-                                                   const ReadingOptions& reading_options,
-                                                   const machine::Machine& machine);
+    static Result<Predictor> of(std::span<const RecordedRun> runs, const ReadingOptions& reading_options,
+                                const machine::Machine& machine);
 
     /// Returns the same for some of its runs, by their indices.
     Predictor part(std::span<const std::size_t> indices) const;
@@ -40,30 +38,30 @@ class Predictor {
     /// Returns the time of each run, s, from its first move or dwell to its last, without times of words
     /// before and after; the error says why it does not reach its end. Uses as many threads as the computer
     /// has cores.
-    std::vector<tl::expected<double, std::string>> times_s(const machine::Machine& machine) const;
+    std::vector<Result<double>> times_s(const machine::Machine& machine) const;
 
     /// Returns the data of the runs, in their order. For a run that cannot be replanned it is the total time.
-    std::vector<Datum> data() const;
+    std::vector<TimedInterval> data() const;
     /// Returns the times of such data, s; the error names the program that does not reach its end.
-    tl::expected<std::vector<double>, std::string> times_s(std::span<const Datum> data,
-                                                           const machine::Machine& machine) const;
+    Result<std::vector<double>> times_s(std::span<const TimedInterval> data,
+                                        const machine::Machine& machine) const;
 
   private:
     /// Requests of a program.
     struct Program {
         std::string file;
         simulation::MotionLog log;
-        std::string error_text;   ///< Reason why it does not reach its end; empty: it does.
-        std::vector<Datum> data;  ///< Their run is set by data().
+        std::string error_text;           ///< Reason why it does not reach its end; empty: it does.
+        std::vector<TimedInterval> data;  ///< Their run is set by data().
     };
 
     using Moves = std::vector<simulation::ReplayedMove>;
 
     void run(Program& program, const std::string& machine) const;
-    tl::expected<double, std::string> run_time_s(const std::string& program, const std::string& machine,
-                                                 simulation::MotionLog* log) const;
+    Result<double> run_time_s(const std::string& program, const std::string& machine,
+                              simulation::MotionLog* log) const;
     /// Returns one move with the total time for a run that cannot be replanned.
-    std::vector<tl::expected<Moves, std::string>> moves(const machine::Machine& machine) const;
+    std::vector<Result<Moves>> moves(const machine::Machine& machine) const;
 
     std::vector<std::shared_ptr<const Program>> programs_;
     ReadingOptions reading_options_;

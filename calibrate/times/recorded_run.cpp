@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/text/list.h"
-#include "calibrate/times/passages.h"
+#include "calibrate/times/passage_times.h"
 
 namespace gsim::calibrate {
 
@@ -23,7 +23,7 @@ struct Columns {
     std::size_t last() const { return std::max({program, time.value_or(0), record.value_or(0)}); }
 };
 
-tl::expected<Columns, std::string> find_columns(const Cells& heading) {
+Result<Columns> find_columns(const Cells& heading) {
     struct Names {
         std::string_view program, time, extension;
     };
@@ -33,15 +33,12 @@ tl::expected<Columns, std::string> find_columns(const Cells& heading) {
         const auto record = find_column(heading, "record");
         if (at && (time_column || record)) return Columns{*at, time_column, record, std::string(extension)};
     }
-    return tl::unexpected<std::string>(
-        "line 1: it should name the columns, 'program' and 'time_s' (or 'record') among them");
+    return Unexpected("line 1: it must name the columns, including 'program' and 'time_s' (or 'record')");
 }
 
-tl::expected<RecordedRun, std::string> parse_run(const Cells& cells, const Columns& columns,
-                                                 const std::string& folder) {
-    if (cells.size() <= columns.last()) return tl::unexpected<std::string>("a column is missing");
-    if (cells[columns.program].empty())
-        return tl::unexpected<std::string>("the name of the program is missing");
+Result<RecordedRun> parse_run(const Cells& cells, const Columns& columns, const std::string& folder) {
+    if (cells.size() <= columns.last()) return Unexpected("a column is missing");
+    if (cells[columns.program].empty()) return Unexpected("the name of the program is missing");
     const std::string_view time = columns.time ? cells[*columns.time] : "";
     const std::string_view record = columns.record ? cells[*columns.record] : "";
     const auto in_folder = [&](const std::string& name) {
@@ -52,14 +49,13 @@ tl::expected<RecordedRun, std::string> parse_run(const Cells& cells, const Colum
     if (!record.empty()) run.record = in_folder(std::string(record));
     if (time.empty() && !record.empty()) return run;
     run.time_s = parse_number(time).value_or(0);
-    if (!(run.time_s > 0)) return tl::unexpected(fmt::format("'{}' should be a time above 0 s", time));
+    if (!(run.time_s > 0)) return Unexpected(fmt::format("'{}' must be a time greater than 0 s", time));
     return run;
 }
 
 }  // namespace
 
-tl::expected<std::vector<RecordedRun>, std::string> read_recorded_runs(std::string_view list,
-                                                                       const std::string& folder) {
+Result<std::vector<RecordedRun>> read_recorded_runs(std::string_view list, const std::string& folder) {
     std::vector<RecordedRun> runs;
     Columns columns;
     const auto heading = [&](const Cells& cells) {
@@ -80,12 +76,11 @@ std::vector<RecordedRun> select_runs(std::span<const RecordedRun> runs,
     return selected;
 }
 
-tl::expected<void, std::string> add_record(std::string_view text, const RecordFormat& record_format,
-                                           RecordedRun& run) {
+Result<void> add_record(std::string_view text, const RecordFormat& record_format, RecordedRun& run) {
     auto samples = read_motion_record(text, record_format);
     if (!samples) return tl::unexpected(samples.error());
     const auto span = motion_span(*samples);
-    if (!span) return tl::unexpected<std::string>("nothing moves in it");
+    if (!span) return Unexpected("it contains no motion");
     run.samples = *std::move(samples);
     if (!(run.time_s > 0)) run.time_s = span->end_s - span->start_s;
     return {};

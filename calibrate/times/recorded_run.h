@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/times/motion_record.h"
 
 namespace gsim::calibrate {
@@ -30,12 +29,10 @@ std::vector<RecordedRun> select_runs(std::span<const RecordedRun> runs, std::spa
 /// and `time_s`, or `name` (without an ending) and `cycle_time_s`. A column `record` names a file of
 /// positions over time, instead of the time or in addition to it. Other columns are ignored. The error names
 /// the line and what it lacks.
-tl::expected<std::vector<RecordedRun>, std::string> read_recorded_runs(std::string_view list,
-                                                                       const std::string& folder);
+Result<std::vector<RecordedRun>> read_recorded_runs(std::string_view list, const std::string& folder);
 
 /// Adds the positions of a recording to a run, and their time, if the run has none. The error describes the
 /// problem.
-tl::expected<void, std::string> add_record(std::string_view text, const RecordFormat& record_format,
-                                           RecordedRun& run);
+Result<void> add_record(std::string_view text, const RecordFormat& record_format, RecordedRun& run);
 
 }  // namespace gsim::calibrate

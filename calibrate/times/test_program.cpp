@@ -29,7 +29,7 @@ double axis_reach(const Axis& axis) {
 
 /// Moves back and forth over distances of all lengths: their times contain both the speed and the ramps.
 std::string stroke_moves(const Axis& axis) {
-    std::string text = fmt::format("(there and back with {}: its acceleration and jerk)\n", axis.letter);
+    std::string text = fmt::format("(back and forth with {}: its acceleration and jerk)\n", axis.letter);
     const double reach = axis_reach(axis);
     for (const double share : {1.0, 0.3, 0.1, 0.03, 0.01}) {
         const double to = axis.home + share * reach;
@@ -97,7 +97,7 @@ std::string word_moves(const std::string& key, const Plane& plane) {
     const auto* const found =
         std::find_if(kWords.begin(), kWords.end(), [&](const auto& each) { return each[0] == key; });
     const std::string_view word = found == kWords.end() ? std::string_view(key) : (*found)[1];
-    std::string text = fmt::format("(what {} takes)\n", word);
+    std::string text = fmt::format("(time of {})\n", word);
     const double sx = std::copysign(1.0, axis_reach(plane.x));
     for (int i = 0; i < 10; ++i) {
         text += fmt::format("{}\nG1 X{:.3f} F1000\n", word,

@@ -18,9 +18,9 @@ void solve_by_coordinates(const Eigen::MatrixXd& counts, const Eigen::VectorXd& 
         const Eigen::VectorXd weighted = counts.col(k).cwiseProduct(weights);
         const double curvature = weighted.dot(counts.col(k));
         if (!(curvature > 0)) continue;
-        const double better_s = std::max(waits_s[k] + weighted.dot(residuals_s) / curvature, 0.0);
-        residuals_s -= (better_s - waits_s[k]) * counts.col(k);
-        waits_s[k] = better_s;
+        const double improved_wait_s = std::max(waits_s[k] + weighted.dot(residuals_s) / curvature, 0.0);
+        residuals_s -= (improved_wait_s - waits_s[k]) * counts.col(k);
+        waits_s[k] = improved_wait_s;
     }
 }
 

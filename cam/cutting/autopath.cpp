@@ -47,13 +47,11 @@ CutSummary summarize_cuts(const Layout& layout, const std::vector<Cut>& cuts, co
 
 }  // namespace
 
-tl::expected<Autopath, std::string> autopath(drawing::Drawing drawing, const CutRules& rules,
-                                             const AutopathOptions& options) {
+Result<Autopath> autopath(drawing::Drawing drawing, const CutRules& rules, const AutopathOptions& options) {
     std::vector<double> bevels_deg;
     bevels_deg.reserve(drawing.entities.size());
     for (const drawing::Entity& entity : drawing.entities) bevels_deg.push_back(entity.bevel_deg);
-    tl::expected<Layout, std::string> layout =
-        make_layout(std::move(drawing), {rules.kerf_mm, options.gap_mm});
+    Result<Layout> layout = make_layout(std::move(drawing), {rules.kerf_mm, options.gap_mm});
     if (!layout) return tl::unexpected(std::move(layout.error()));
     const double lead_mm = options.lead_mm > 0 ? options.lead_mm : kDefaultLeadKerfs * rules.kerf_mm;
     const std::vector<Cut> cuts = add_leads(*layout, rules.kerf_mm, lead_mm);
@@ -74,12 +72,12 @@ tl::expected<Autopath, std::string> autopath(drawing::Drawing drawing, const Cut
     result.summary.travel_mm = joint_travel(cuts, order, options.start_mm);
     if (result.summary.without_leads > 0) {
         result.notes.push_back(
-            fmt::format("{} contours have no room for leads: the jet pierces on the contour",
+            fmt::format("{} contours have no room for lead-ins: the jet pierces on the contour",
                         result.summary.without_leads));
     }
     if (rules.dynamic_pierce_s && program_parts.dynamic_pierces < cuts.size()) {
         result.notes.push_back(
-            fmt::format("{} pierces have no lead to move on: the nozzle rests, for {:.4g} s",
+            fmt::format("{} pierces have no lead-in to move on: the nozzle dwells for {:.4g} s",
                         cuts.size() - program_parts.dynamic_pierces, rules.pierce_s));
     }
     if (const auto error = path::validate(result.program)) return tl::unexpected(error->message);

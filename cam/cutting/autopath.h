@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/cutting/cut_program.h"
 #include "cam/cutting/layout.h"
 
@@ -43,7 +42,6 @@ struct Autopath {
 };
 
 /// Returns the path that cuts a drawing, or an error message that names entities and positions.
-tl::expected<Autopath, std::string> autopath(drawing::Drawing drawing, const CutRules& rules,
-                                             const AutopathOptions& options);
+Result<Autopath> autopath(drawing::Drawing drawing, const CutRules& rules, const AutopathOptions& options);
 
 }  // namespace gsim::cutting

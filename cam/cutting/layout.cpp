@@ -22,8 +22,6 @@ namespace {
 constexpr std::size_t kMaxListedErrors = 5;
 constexpr double kMinArea_mm2 = 1e-6;
 
-using Unexpected = tl::unexpected<std::string>;
-
 std::string location(Point point) {
     return fmt::format("({:.6g}, {:.6g})", text::unsigned_zero(point.x), text::unsigned_zero(point.y));
 }
@@ -54,7 +52,7 @@ class LayoutBuilder {
     LayoutBuilder(Drawing drawing, const LayoutOptions& options)
         : drawing_(std::move(drawing)), options_(options) {}
 
-    tl::expected<Layout, std::string> run() {
+    Result<Layout> run() {
         for (const auto step : {&LayoutBuilder::close, &LayoutBuilder::check,
                                 &LayoutBuilder::find_outline_nesting, &LayoutBuilder::offset_outlines}) {
             if (auto done = (this->*step)(); !done) return Unexpected(std::move(done.error()));
@@ -65,16 +63,14 @@ class LayoutBuilder {
     }
 
   private:
-    using VoidResult = tl::expected<void, std::string>;
-
-    VoidResult close() {
+    Result<void> close() {
         geometry::ChainResult chains = geometry::chain(std::move(drawing_.drawn_contours), options_.gap_mm);
         if (chains.is_ambiguous)
-            return Unexpected("the ends of too many lines lie in one place: no contour can be seen in them");
+            return Unexpected("too many lines end at one position: no contour can be identified");
         if (!chains.open.empty())
             return Unexpected(open_ends_message(drawing_, chains.open, options_.gap_mm));
         contours_ = std::move(chains.closed);
-        if (contours_.empty()) return Unexpected("there is no contour in the drawing");
+        if (contours_.empty()) return Unexpected("the drawing contains no contour");
         const auto is_empty = [](const Contour& contour) { return contour.vertices.empty(); };
         if (std::any_of(contours_.begin(), contours_.end(), is_empty)) {
             return Unexpected(fmt::format("a contour is smaller than {} mm", options_.gap_mm));
@@ -82,25 +78,25 @@ class LayoutBuilder {
         return {};
     }
 
-    VoidResult check() {
+    Result<void> check() {
         const std::optional<Crossing> crossing = geometry::find_crossing(contours_, options_.gap_mm / 10);
         if (crossing) {
-            return Unexpected(fmt::format(
-                "{} and {} meet at {}; a contour may neither cross nor touch itself or another one",
-                edge_label(drawing_, contours_[crossing->contour_a], crossing->edge_a),
-                edge_label(drawing_, contours_[crossing->contour_b], crossing->edge_b),
-                location(crossing->location)));
+            return Unexpected(
+                fmt::format("{} and {} meet at {}; a contour must not cross or touch itself or another one",
+                            edge_label(drawing_, contours_[crossing->contour_a], crossing->edge_a),
+                            edge_label(drawing_, contours_[crossing->contour_b], crossing->edge_b),
+                            location(crossing->location)));
         }
         for (const Contour& contour : contours_) {
             if (contour.vertices.size() > 1 && std::abs(area_mm2(contour)) > kMinArea_mm2) continue;
-            return Unexpected(fmt::format("the contour at {} ({}) encloses nothing",
+            return Unexpected(fmt::format("the contour at {} ({}) encloses no area",
                                           location(contour.vertices.front().position),
                                           edge_label(drawing_, contour, 0)));
         }
         return {};
     }
 
-    VoidResult find_outline_nesting() {
+    Result<void> find_outline_nesting() {
         const std::vector<geometry::NestingLevel> nestings = geometry::find_nesting(contours_);
         layout_.outlines.reserve(contours_.size());
         for (std::size_t i = 0; i < contours_.size(); ++i) {
@@ -112,7 +108,7 @@ class LayoutBuilder {
         return {};
     }
 
-    VoidResult offset_outlines() {
+    Result<void> offset_outlines() {
         for (std::size_t i = 0; i < layout_.outlines.size(); ++i) {
             if (auto done = offset_outline(i); !done) return done;
         }
@@ -126,13 +122,13 @@ class LayoutBuilder {
         }
         const std::optional<Crossing> crossing = geometry::find_crossing_between(contours, groups);
         if (!crossing) return {};
-        return Unexpected(fmt::format("{} and {} are nearer to each other than the kerf of {:.4g} mm at {}",
+        return Unexpected(fmt::format("{} and {} are closer to each other than the kerf of {:.4g} mm at {}",
                                       edge_label(drawing_, contours[crossing->contour_a], crossing->edge_a),
                                       edge_label(drawing_, contours[crossing->contour_b], crossing->edge_b),
                                       options_.kerf_mm, location(crossing->location)));
     }
 
-    VoidResult offset_outline(std::size_t outline) {
+    Result<void> offset_outline(std::size_t outline) {
         const Contour& contour = layout_.outlines[outline].contour;
         auto loops = geometry::offset(contour, options_.kerf_mm / 2);
         const auto where = [&] {
@@ -147,7 +143,7 @@ class LayoutBuilder {
                 fmt::format("{} is narrower than the kerf of {:.4g} mm", where(), options_.kerf_mm));
         if (loops->size() > 1) {
             notes_.push_back(
-                fmt::format("{} has places that are narrower than the kerf; it is cut in {} loops", where(),
+                fmt::format("{} has sections that are narrower than the kerf; it is cut in {} loops", where(),
                             loops->size()));
         }
         std::sort(loops->begin(), loops->end(), [](const Contour& a, const Contour& b) {
@@ -166,7 +162,7 @@ class LayoutBuilder {
 
 }  // namespace
 
-tl::expected<Layout, std::string> make_layout(Drawing drawing, const LayoutOptions& options) {
+Result<Layout> make_layout(Drawing drawing, const LayoutOptions& options) {
     return LayoutBuilder(std::move(drawing), options).run();
 }
 

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/drawing/drawing.h"
 
 namespace gsim::cutting {
@@ -40,6 +39,6 @@ struct LayoutOptions {
 
 /// Closes the contours of a drawing, nests and offsets them. The error message names entities and positions:
 /// ends that stay open, contours that cross or touch, holes that are narrower than the kerf.
-tl::expected<Layout, std::string> make_layout(drawing::Drawing drawing, const LayoutOptions& options);
+Result<Layout> make_layout(drawing::Drawing drawing, const LayoutOptions& options);
 
 }  // namespace gsim::cutting

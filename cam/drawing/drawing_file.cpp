@@ -14,16 +14,16 @@ constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 
 }  // namespace
 
-tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
-                                                os::NameSource name_source, const os::Files& files) {
+Result<Drawing> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
+                             os::NameSource name_source, const os::Files& files) {
     const std::string extension = text::lower(path.extension().string());
     if (extension != ".dxf" && extension != ".svg") {
-        return tl::unexpected(fmt::format("'{}' is neither a .dxf nor an .svg file", path.string()));
+        return Unexpected(fmt::format("'{}' is neither a .dxf nor an .svg file", path.string()));
     }
-    const tl::expected<std::string, std::string> text = files.read(path, name_source, kMaxBytes);
+    const Result<std::string> text = files.read(path, name_source, kMaxBytes);
     if (!text) return tl::unexpected(text.error());
     auto drawing = extension == ".dxf" ? read_dxf(*text, options) : read_svg(*text, options);
-    if (!drawing) return tl::unexpected(fmt::format("{}: {}", path.string(), drawing.error()));
+    if (!drawing) return Unexpected(fmt::format("{}: {}", path.string(), drawing.error().message));
     return drawing;
 }
 

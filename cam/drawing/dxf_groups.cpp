@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,22 +43,25 @@ std::optional<Group> GroupReader::next() {
     const bool is_complete = error == std::errc{} && end == code.data() + code.size();
     if (!is_complete || group.code < -5 || group.code > kMaxGroupCode) {
         if (code.empty() && offset_ >= text_.size()) return {};  // an empty last line
-        throw DrawingError{line_, fmt::format("'{}' is no group code of DXF", printable_text(code))};
+        throw error_at(line_, fmt::format("'{}' is not a group code of DXF", printable_text(code)));
     }
     if (offset_ >= text_.size()) {
-        throw DrawingError{line_,
-                           fmt::format("the file ends behind group code {}: it was cut off", group.code)};
+        throw error_at(line_, fmt::format("the file ends after group code {}: it is truncated", group.code));
     }
     group.value = read_line();
     group.line = line_;
     return group;
 }
 
+Error error_at(std::size_t line, std::string message) {
+    return {std::move(message), static_cast<std::uint32_t>(line), 0};
+}
+
 double parse_number(const Group& group) {
     const std::optional<double> value = text::parse_number(group.value);
     if (!value) {
-        throw DrawingError{group.line, fmt::format("'{}' (group code {}) is no finite number",
-                                                   printable_text(group.value), group.code)};
+        throw error_at(group.line, fmt::format("'{}' (group code {}) is not a finite number",
+                                               printable_text(group.value), group.code));
     }
     return *value;
 }
@@ -88,14 +93,14 @@ double GroupList::number(int code) const {
     for (const Group& group : groups_) {
         if (group.code == code) return parse_number(group);
     }
-    throw DrawingError{line(), fmt::format("{} has no value of group code {}", kind(), code)};
+    throw error_at(line(), fmt::format("{} has no value of group code {}", kind(), code));
 }
 
 int GroupList::integer_or(int code, int fallback) const {
     const double value = number(code, fallback);
     if (std::abs(value) > 1e9 || value != std::trunc(value)) {
-        throw DrawingError{
-            line(), fmt::format("{}: group code {} has {}, which is no whole number", kind(), code, value)};
+        throw error_at(line(),
+                       fmt::format("{}: group code {} has {}, which is not an integer", kind(), code, value));
     }
     return static_cast<int>(value);
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "geometry/planar/point.h"
 
 namespace gsim::drawing {
@@ -16,18 +17,13 @@ struct Group {
     std::size_t line = 0;  ///< Line of the value.
 };
 
-/// An error in a file; thrown only within the readers.
-struct DrawingError {
-    std::size_t line = 0;
-    std::string message;
-};
-
-/// Reads the groups of a DXF file in sequence; a copy continues from the same position.
+/// Reads the groups of a DXF file in sequence; a copy continues from the same position. Only the reader of
+/// the file catches the errors that it throws.
 class GroupReader {
   public:
     explicit GroupReader(std::string_view text) : text_(text) {}
 
-    /// Returns the next group, nothing at the end of the text. Throws DrawingError for an invalid group.
+    /// Returns the next group, nothing at the end of the text. Throws Error for an invalid group.
     std::optional<Group> next();
     /// Returns the next group without consuming it.
     std::optional<Group> peek() const { return GroupReader(*this).next(); }
@@ -51,7 +47,7 @@ class GroupList {
     std::size_t line() const { return kind_.line; }
     const std::vector<Group>& groups() const { return groups_; }
     std::optional<std::string_view> text(int code) const;
-    /// Throws DrawingError if the value is not a finite number.
+    /// Throws Error if the value is not a finite number.
     double number(int code, double fallback) const;
     double number(int code) const;  ///< Throws also if it is missing.
     int integer_or(int code, int fallback) const;
@@ -62,7 +58,10 @@ class GroupList {
     std::vector<Group> groups_;
 };
 
-/// Throws DrawingError if the value is not a finite number.
+/// Returns an error in a line.
+Error error_at(std::size_t line, std::string message);
+
+/// Throws Error if the value is not a finite number.
 double parse_number(const Group& group);
 
 }  // namespace gsim::drawing

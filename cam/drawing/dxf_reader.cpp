@@ -39,7 +39,7 @@ class DxfReader {
 
     Drawing run() {
         if (text_.starts_with("AutoCAD Binary DXF")) {
-            throw DrawingError{1, "this is a DXF file in binary form; save it as text (ASCII)"};
+            throw error_at(1, "the file is a binary DXF file; save it as text (ASCII)");
         }
         GroupReader reader(text_);
         bool ended = false;
@@ -49,8 +49,8 @@ class DxfReader {
             if (group->code == 0 && group->value == "SECTION") read_section(reader);
         }
         if (!ended)
-            throw DrawingError{reader.line(), "the file ends without EOF: it was cut off, or is no DXF file"};
-        if (!entities_) throw DrawingError{reader.line(), "there is no section ENTITIES"};
+            throw error_at(reader.line(), "the file ends without EOF: it is truncated, or not a DXF file");
+        if (!entities_) throw error_at(reader.line(), "the section ENTITIES is missing");
         // Units, layers and blocks may be anywhere in the file, so the entities are drawn last.
         const double unit_mm = options_.unit_mm > 0 ? options_.unit_mm : dxf_unit_mm(unit_code_);
         read_entities(*entities_, {scaled(unit_mm, unit_mm), "", 0});
@@ -63,7 +63,7 @@ class DxfReader {
   private:
     void read_section(GroupReader& reader) {
         const auto name = reader.next();
-        if (!name || name->code != 2) throw DrawingError{reader.line(), "a section has no name"};
+        if (!name || name->code != 2) throw error_at(reader.line(), "a section has no name");
         if (name->value == "ENTITIES") entities_ = reader;
         const bool has_tables = name->value == "TABLES";
         const bool has_blocks = name->value == "BLOCKS";
@@ -83,8 +83,8 @@ class DxfReader {
                 blocks_.insert_or_assign(std::string(list.text(2).value_or("")), Block{base, reader});
             }
         }
-        throw DrawingError{reader.line(),
-                           fmt::format("section {} does not end: the file was cut off", name->value)};
+        throw error_at(reader.line(),
+                       fmt::format("section {} does not end: the file is truncated", name->value));
     }
 
     void read_unit(GroupReader& reader) {
@@ -109,10 +109,9 @@ class DxfReader {
             std::vector<GroupList> vertices;
             if (entity.kind() == "POLYLINE") vertices = read_vertices(reader);
             if (++entity_count_ > kMaxInsertedEntities) {
-                throw DrawingError{
-                    entity.line(),
-                    fmt::format("more than {} entities, counted as often as blocks are inserted",
-                                kMaxInsertedEntities)};
+                throw error_at(entity.line(),
+                               fmt::format("more than {} entities, including each insertion of a block",
+                                           kMaxInsertedEntities));
             }
             if (is_selected(entity, placement)) read_entity(entity, vertices, placement);
         }
@@ -167,20 +166,20 @@ class DxfReader {
         const std::string name(entity.text(2).value_or(""));
         const auto block = blocks_.find(name);
         if (block == blocks_.end()) {
-            throw DrawingError{entity.line(),
-                               fmt::format("INSERT of block '{}', which is not in the file", name)};
+            throw error_at(entity.line(),
+                           fmt::format("INSERT of block '{}', which is not defined in the file", name));
         }
         if (placement.depth >= kMaxBlockDepth) {
-            throw DrawingError{
+            throw error_at(
                 entity.line(),
-                fmt::format("INSERT of block '{}' is nested deeper than {} blocks; does one hold itself?",
-                            name, kMaxBlockDepth)};
+                fmt::format("INSERT of block '{}' is nested deeper than {} blocks; does one contain itself?",
+                            name, kMaxBlockDepth));
         }
         const int columns = std::max(1, entity.integer_or(70, 1));
         const int rows = std::max(1, entity.integer_or(71, 1));
         if (static_cast<double>(columns) * rows > static_cast<double>(kMaxInsertedEntities)) {
-            throw DrawingError{entity.line(), fmt::format("INSERT of block '{}' has {} rows of {}: too many",
-                                                          name, rows, columns)};
+            throw error_at(entity.line(), fmt::format("INSERT of block '{}' has {} rows of {}: too many",
+                                                      name, rows, columns));
         }
         const Point step{entity.number(44, 0), entity.number(45, 0)};
         const Affine block_transform = placement.map * ocs_to_wcs(entity) * moved(entity.point(10)) *
@@ -212,12 +211,12 @@ class DxfReader {
 
 }  // namespace
 
-tl::expected<Drawing, std::string> read_dxf(std::string_view text, const ReadOptions& options) {
+Result<Drawing> read_dxf(std::string_view text, const ReadOptions& options) {
     try {
         return DxfReader(text, options).run();
-    } catch (const DrawingError& error) {
-        const auto line = std::max<std::size_t>(1, error.line);  // an empty file ends in its first
-        return tl::unexpected(fmt::format("line {}: {}", line, error.message));
+    } catch (const Error& error) {
+        const auto line = std::max(1U, error.line);  // an empty file ends in its first
+        return Unexpected(fmt::format("line {}: {}", line, error.message));
     }
 }
 

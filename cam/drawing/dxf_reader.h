@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/drawing/drawing.h"
 
 namespace gsim::drawing {
@@ -14,6 +13,6 @@ namespace gsim::drawing {
 /// that of $INSUNITS, mm if it is missing. The error message begins with the line.
 ///
 /// Source: Autodesk, "DXF Reference" (AutoCAD 2012).
-tl::expected<Drawing, std::string> read_dxf(std::string_view text, const ReadOptions& options);
+Result<Drawing> read_dxf(std::string_view text, const ReadOptions& options);
 
 }  // namespace gsim::drawing

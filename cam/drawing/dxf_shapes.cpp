@@ -23,8 +23,8 @@ double radians(double degrees) {
 
 [[noreturn]] void fail(const GroupList& entity, const std::string& message) {
     const std::string_view handle = entity.text(5).value_or("");
-    throw DrawingError{entity.line(),
-                       fmt::format("{}{}{} {}", entity.kind(), handle.empty() ? "" : " ", handle, message)};
+    throw error_at(entity.line(),
+                   fmt::format("{}{}{} {}", entity.kind(), handle.empty() ? "" : " ", handle, message));
 }
 
 // Returns the counter-clockwise angle from one to the other, above 0 and at most a full turn.
@@ -35,7 +35,7 @@ double turn_between(double from_rad, double to_rad) {
 
 double circle_radius(const GroupList& entity) {
     const double radius = entity.number(40);
-    if (!(radius > 0)) fail(entity, fmt::format("has the radius {}; it must be above 0", radius));
+    if (!(radius > 0)) fail(entity, fmt::format("has the radius {}; it must be greater than 0", radius));
     return radius;
 }
 
@@ -44,7 +44,7 @@ void draw_line_entity(const GroupList& entity, Pen& pen) {
     const Point to = entity.point(11);
     const double rise = entity.number(31, 0) - entity.number(30, 0);
     if (std::abs(rise) > kFlatTolerance)
-        fail(entity, fmt::format("rises by {} in z; a drawing has to be flat", rise));
+        fail(entity, fmt::format("rises by {} in z; a drawing must be flat", rise));
     if (from == to) fail(entity, fmt::format("at ({}, {}) has no length", from.x, from.y));
     pen.move_to(from);
     pen.line_to(to);
@@ -65,8 +65,7 @@ void draw_ellipse_entity(const GroupList& entity, Pen& pen) {
     const Point u = entity.point(11);
     const double ratio = entity.number(40);
     if (u == Point{} || ratio == 0) fail(entity, "has an axis without a length");
-    if (std::abs(entity.number(31, 0)) > kFlatTolerance)
-        fail(entity, "is not level; a drawing has to be flat");
+    if (std::abs(entity.number(31, 0)) > kFlatTolerance) fail(entity, "is not level; a drawing must be flat");
     const double up = entity.number(230, 1) < 0 ? -1 : 1;
     const double from = entity.number(41, 0);
     const double to = entity.number(42, 2 * std::numbers::pi);
@@ -79,7 +78,8 @@ struct Corner {
 };
 
 void draw_vertices(const GroupList& entity, const std::vector<Corner>& corners, bool closed, Pen& pen) {
-    if (corners.size() < 2) fail(entity, fmt::format("has {} corners; 2 are the least", corners.size()));
+    if (corners.size() < 2)
+        fail(entity, fmt::format("has {} corners; at least 2 are required", corners.size()));
     pen.move_to(corners.front().position);
     bool moves = false;
     for (std::size_t i = 0; i + (closed ? 0 : 1) < corners.size(); ++i) {
@@ -103,7 +103,7 @@ void draw_lwpolyline(const GroupList& entity, Pen& pen) {
     }
     const int count = entity.integer_or(90, static_cast<int>(corners.size()));
     if (count != static_cast<int>(corners.size())) {
-        fail(entity, fmt::format("says that it has {} corners, but has {}", count, corners.size()));
+        fail(entity, fmt::format("specifies {} corners, but has {}", count, corners.size()));
     }
     draw_vertices(entity, corners, (entity.integer_or(70, 0) & 1) != 0, pen);
 }
@@ -142,7 +142,7 @@ void draw_spline(const GroupList& entity, Pen& pen) {
         has_fit_points = has_fit_points || group.code == 11;
     }
     if (curve.points.empty() && has_fit_points) return draw_fitted(entity, pen);
-    if (const auto error = curve_error(curve)) fail(entity, *error);
+    if (const auto error = find_curve_error(curve)) fail(entity, error->message);
     pen.nurbs(curve);
 }
 
@@ -169,7 +169,7 @@ const DxfShape* find_dxf_shape(std::string_view kind) {
 }
 
 void finish(const GroupList& entity, Pen& pen) {
-    if (pen.error()) fail(entity, *pen.error());
+    if (pen.error()) fail(entity, pen.error()->message);
     pen.lift();
 }
 
@@ -210,7 +210,7 @@ Affine ocs_to_wcs(const GroupList& entity) {
     const double y = entity.number(220, 0);
     const double z = entity.number(230, 1);
     if (std::abs(x) > kFlatTolerance || std::abs(y) > kFlatTolerance || z == 0) {
-        fail(entity, fmt::format("lies in a plane across ({}, {}, {}); a drawing has to be flat", x, y, z));
+        fail(entity, fmt::format("is in a plane normal to ({}, {}, {}); a drawing must be flat", x, y, z));
     }
     return scaled(z > 0 ? 1 : -1, 1);
 }

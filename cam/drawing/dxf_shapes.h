@@ -12,7 +12,7 @@ namespace gsim::drawing {
 bool is_shape(std::string_view kind);
 
 /// Draws a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE or SPLINE at the target set in the pen. Throws
-/// DrawingError.
+/// Error.
 void draw_shape(const GroupList& entity, const Affine& map, std::uint32_t source, Pen& pen);
 
 /// Draws a POLYLINE with its vertices.
@@ -20,7 +20,7 @@ void draw_polyline(const GroupList& entity, const std::vector<GroupList>& vertic
                    std::uint32_t source, Pen& pen);
 
 /// Returns the map from an entity's own coordinates into those of the drawing, by its extrusion direction,
-/// which must be up or down. Throws DrawingError.
+/// which must be up or down. Throws Error.
 Affine ocs_to_wcs(const GroupList& entity);
 
 }  // namespace gsim::drawing

@@ -21,8 +21,8 @@ double dxf_unit_mm(int code) {
         case 13: return 1e-3;
         case 14: return 100;
         default:
-            throw DrawingError{
-                1, fmt::format("the unit $INSUNITS {} is none that parts are drawn in; name one", code)};
+            throw error_at(
+                1, fmt::format("the unit $INSUNITS {} is not supported for parts; name a unit", code));
     }
 }
 

@@ -26,27 +26,27 @@ HomogeneousPoint between(const HomogeneousPoint& a, const HomogeneousPoint& b, d
 
 }  // namespace
 
-std::optional<std::string> curve_error(const Nurbs& curve) {
+std::optional<Error> find_curve_error(const Nurbs& curve) {
     if (curve.degree < 1 || curve.degree > kMaxDegree) {
-        return fmt::format("has degree {}; 1 to {} can be read", curve.degree, kMaxDegree);
+        return fmt::format("has degree {}; supported are 1 to {}", curve.degree, kMaxDegree);
     }
     if (curve.points.size() <= curve.degree) {
-        return fmt::format("has {} control points; degree {} needs {} at least", curve.points.size(),
+        return fmt::format("has {} control points; degree {} requires at least {}", curve.points.size(),
                            curve.degree, curve.degree + 1);
     }
     const std::size_t knots = curve.points.size() + curve.degree + 1;
     if (curve.knots.size() != knots) {
-        return fmt::format("has {} knots; {} control points of degree {} need {}", curve.knots.size(),
+        return fmt::format("has {} knots; {} control points of degree {} require {}", curve.knots.size(),
                            curve.points.size(), curve.degree, knots);
     }
-    if (!std::is_sorted(curve.knots.begin(), curve.knots.end())) return "has knots that fall";
+    if (!std::is_sorted(curve.knots.begin(), curve.knots.end())) return "has decreasing knots";
     if (!(curve.knots[curve.degree] < curve.knots[curve.points.size()])) return "has knots without a range";
     if (!curve.weights.empty() && curve.weights.size() != curve.points.size()) {
         return fmt::format("has {} weights for {} control points", curve.weights.size(), curve.points.size());
     }
-    const auto is_sound = [](double weight) { return weight > 0 && std::isfinite(weight); };
-    if (!std::all_of(curve.weights.begin(), curve.weights.end(), is_sound)) {
-        return "has a weight that is not above 0";
+    const auto is_valid_weight = [](double weight) { return weight > 0 && std::isfinite(weight); };
+    if (!std::all_of(curve.weights.begin(), curve.weights.end(), is_valid_weight)) {
+        return "has a weight that is not greater than 0";
     }
     return {};
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "geometry/planar/fit.h"
 
 namespace gsim::drawing {
@@ -17,7 +18,7 @@ struct Nurbs {
 };
 
 /// Returns the error of a curve, as the end of a message that begins with its name.
-std::optional<std::string> curve_error(const Nurbs& curve);
+std::optional<Error> find_curve_error(const Nurbs& curve);
 
 /// Returns the point in the span of knots[span] to knots[span + 1] of a valid curve (de Boor's algorithm;
 /// Piegl and Tiller, "The NURBS Book", 1997, ch. 4).

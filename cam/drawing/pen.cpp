@@ -37,8 +37,8 @@ void Pen::set_map(const Affine& map, std::uint32_t source) {
 void Pen::check(Point point) {
     const double max_coordinate = std::max(std::abs(point.x), std::abs(point.y));
     if (max_coordinate <= kMaxCoordinate_mm || error_) return;  // false for NaN
-    error_ = fmt::format("has the point ({}, {}) mm; nothing can be cut further off than {} mm", point.x,
-                         point.y, kMaxCoordinate_mm);
+    error_ = fmt::format("has the point ({}, {}) mm; coordinates must not exceed {} mm", point.x, point.y,
+                         kMaxCoordinate_mm);
 }
 
 void Pen::add(const Edge& edge) {
@@ -52,7 +52,7 @@ void Pen::add(const Edge& edge) {
     const std::size_t before = contour_.edges();
     append_edge(contour_, edge, source_);
     edges_ += contour_.edges() - before;
-    if (edges_ > kMaxEdges) error_ = fmt::format("is one too many: more than {} lines and arcs", kMaxEdges);
+    if (edges_ > kMaxEdges) error_ = fmt::format("exceeds the limit of {} lines and arcs", kMaxEdges);
 }
 
 void Pen::move_to(Point point) {
@@ -118,7 +118,7 @@ void Pen::nurbs(const Nurbs& curve) {
         check(point);
     }
     current_ = curve.points.back();
-    if (const auto error = curve_error(curve); error && !error_) error_ = error;
+    if (const auto error = find_curve_error(curve); error && !error_) error_ = error;
     if (error_) return;
     for (std::size_t span = curve.degree; span < curve.points.size() && !error_; ++span) {
         const double from = curve.knots[span];

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "cam/drawing/affine.h"
 #include "cam/drawing/nurbs.h"
 #include "geometry/planar/contour.h"
@@ -39,7 +40,7 @@ class Pen {
     void lift();
 
     /// Returns the error since take(), as the end of a message.
-    const std::optional<std::string>& error() const { return error_; }
+    const std::optional<Error>& error() const { return error_; }
 
   private:
     void add(const geometry::Edge& edge);
@@ -52,7 +53,7 @@ class Pen {
     geometry::Contour contour_;
     geometry::Point start_, current_;  // as the entity has them
     std::size_t edges_ = 0;
-    std::optional<std::string> error_;
+    std::optional<Error> error_;
 };
 
 }  // namespace gsim::drawing

@@ -19,7 +19,7 @@ class PathReader {
   public:
     PathReader(std::string_view data, Pen& pen) : scanner_(data), pen_(pen) {}
 
-    std::optional<std::string> run() {
+    Result<void> run() {
         while (!scanner_.at_end()) {
             const std::optional<char> letter = scanner_.letter();
             if (letter) {
@@ -32,7 +32,7 @@ class PathReader {
             if (!draw())
                 return syntax_error(
                     fmt::format("command {} is unknown, or its numbers are not complete", command_));
-            if (pen_.error()) return *pen_.error();
+            if (pen_.error()) return tl::unexpected(*pen_.error());
             previous_command_ = static_cast<char>(std::toupper(command_));
             // Further pairs after a move are lines.
             if (command_ == 'M') command_ = 'L';
@@ -42,9 +42,9 @@ class PathReader {
     }
 
   private:
-    std::string syntax_error(const std::string& what) const {
-        return fmt::format("has path data that cannot be read at character {}: {}", scanner_.offset() + 1,
-                           what);
+    Unexpected syntax_error(const std::string& what) const {
+        return Unexpected(fmt::format("has path data that cannot be read at character {}: {}",
+                                      scanner_.offset() + 1, what));
     }
 
     bool is_relative() const { return command_ >= 'a'; }
@@ -179,7 +179,7 @@ class PathReader {
 
 }  // namespace
 
-std::optional<std::string> draw_path_data(std::string_view data, Pen& pen) {
+Result<void> draw_path_data(std::string_view data, Pen& pen) {
     return PathReader(data, pen).run();
 }
 

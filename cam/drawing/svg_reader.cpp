@@ -22,11 +22,6 @@ namespace {
 constexpr int kMaxElementDepth = 100;
 constexpr std::size_t kMaxElements = 1'000'000;  // counted as often as they are used
 
-// Thrown only within this file.
-struct SvgError {
-    std::string message;
-};
-
 struct ViewBox {
     Point low, size;
 };
@@ -35,6 +30,7 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Throws Error, but only within this file.
 class SvgReader {
   public:
     SvgReader(std::string_view text, const ReadOptions& options)
@@ -43,11 +39,11 @@ class SvgReader {
     Drawing run() {
         const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
         if (!parsed)
-            throw SvgError{fmt::format("line {}: this is no sound XML: {}", line_at(parsed.offset),
-                                       parsed.description())};
+            throw Error{fmt::format("line {}: this is not valid XML: {}", line_at(parsed.offset),
+                                    parsed.description())};
         const pugi::xml_node root = document_.document_element();
         if (local_name(root) != "svg") {
-            throw SvgError{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
+            throw Error{fmt::format("line 1: the document must be an SVG drawing, not <{}>", root.name())};
         }
         collect_ids_and_styles();
         viewport_ = inside(root, {length_or_zero(root, "width"), length_or_zero(root, "height")});
@@ -57,7 +53,8 @@ class SvgReader {
         }
         for (const std::string& selector : styles_.unsupported_selectors()) {
             drawing_.notes.push_back(fmt::format(
-                "the style sheet's selector '{}' is not understood: what it hides is cut", selector));
+                "the selector '{}' of the style sheet is not supported: elements that it hides are cut",
+                selector));
         }
         return std::move(drawing_);
     }
@@ -75,8 +72,8 @@ class SvgReader {
 
     [[noreturn]] void fail(const pugi::xml_node& node, const std::string& message) const {
         const std::string_view id = node.attribute("id").value();
-        throw SvgError{fmt::format("line {}: {}{}{} {}", line_at(node.offset_debug()), node.name(),
-                                   id.empty() ? "" : " ", id, message)};
+        throw Error{fmt::format("line {}: {}{}{} {}", line_at(node.offset_debug()), node.name(),
+                                id.empty() ? "" : " ", id, message)};
     }
 
     void collect_ids_and_styles() {
@@ -105,7 +102,7 @@ class SvgReader {
         for (double& value : values) {
             const std::optional<double> number = scanner.number();
             if (!number)
-                fail(node, fmt::format("has viewBox=\"{}\"; it takes four numbers", attribute.value()));
+                fail(node, fmt::format("has viewBox=\"{}\"; it must have four numbers", attribute.value()));
             value = *number;
         }
         if (!(values[2] > 0 && values[3] > 0)) fail(node, "has a viewBox without a size");
@@ -148,7 +145,7 @@ class SvgReader {
 
     void read_node(const pugi::xml_node& node, const Affine& map, int depth) {
         if (++elements_ > kMaxElements)
-            fail(node, fmt::format("is one too many: more than {} elements", kMaxElements));
+            fail(node, fmt::format("exceeds the limit of {} elements", kMaxElements));
         const std::string_view name = local_name(node);
         if (styles_.property(node, "display") == "none") return;
         const bool was_hidden = is_hidden_;
@@ -188,7 +185,7 @@ class SvgReader {
         const std::optional<double> value = length_attribute_px(node, name, 0);
         if (!value)
             fail(node,
-                 fmt::format("has {}=\"{:.60}\", which is no length", name, node.attribute(name).value()));
+                 fmt::format("has {}=\"{:.60}\", which is not a length", name, node.attribute(name).value()));
         return *value;
     }
 
@@ -257,7 +254,7 @@ class SvgReader {
             {std::string(local_name(node)), node.attribute("id").value(), line_at(node.offset_debug())});
         pen_.set_map(map, static_cast<std::uint32_t>(drawing_.entities.size() - 1));
         const std::size_t before = drawing_.drawn_contours.size();
-        if (const auto error = draw_svg_shape(node, pen_)) fail(node, *error);
+        if (const auto drawn = draw_svg_shape(node, pen_); !drawn) fail(node, drawn.error().message);
         if (drawing_.drawn_contours.size() == before) fail(node, "has no length");
     }
 
@@ -278,10 +275,10 @@ class SvgReader {
 
 }  // namespace
 
-tl::expected<Drawing, std::string> read_svg(std::string_view text, const ReadOptions& options) {
+Result<Drawing> read_svg(std::string_view text, const ReadOptions& options) {
     try {
         return SvgReader(text, options).run();
-    } catch (const SvgError& error) {
+    } catch (const Error& error) {
         return tl::unexpected(error.message);
     }
 }

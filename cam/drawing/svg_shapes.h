@@ -5,6 +5,7 @@
 
 #include <pugixml.hpp>
 
+#include "base/error.h"
 #include "cam/drawing/pen.h"
 
 namespace gsim::drawing {
@@ -14,7 +15,7 @@ bool is_svg_shape(std::string_view name);
 
 /// Draws a path, rect, circle, ellipse, line, polyline or polygon at the target set in the pen. Returns an
 /// error as the end of a message.
-std::optional<std::string> draw_svg_shape(const pugi::xml_node& node, Pen& pen);
+Result<void> draw_svg_shape(const pugi::xml_node& node, Pen& pen);
 
 /// Returns the value of a length attribute; `otherwise` if it is missing. Returns nothing if it cannot be
 /// read.

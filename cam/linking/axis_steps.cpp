@@ -8,7 +8,7 @@ namespace gsim::linking {
 namespace {
 
 using path::AxisValues;
-using path::Error;
+using path::TargetError;
 
 constexpr double kChordTolerance_mm = 0.01;
 
@@ -24,9 +24,9 @@ class StepRecorder final : public path::MoveSink {
   public:
     StepRecorder(const path::AxisMoves& moves, AxisValues shift) : moves_(moves), shift_(std::move(shift)) {}
 
-    tl::expected<void, Error> run(std::size_t path) { return moves_.run(path, *this); }
+    tl::expected<void, TargetError> run(std::size_t path) { return moves_.run(path, *this); }
     std::vector<AxisStep> release() { return std::move(steps_); }
-    const std::optional<Error>& error() const { return error_; }
+    const std::optional<TargetError>& error() const { return error_; }
 
     void begin(const path::TargetId& where) override { target_id_ = where; }
     void move(const path::AxisMove& move) override {
@@ -51,14 +51,14 @@ class StepRecorder final : public path::MoveSink {
     path::TargetId target_id_;
     bool process_on_ = false;
     std::vector<AxisStep> steps_;
-    std::optional<Error> error_;
+    std::optional<TargetError> error_;
 };
 
 }  // namespace
 
-tl::expected<std::vector<AxisStep>, Error> axis_steps(const path::Program& program,
-                                                      const path::MachineSpace& machine,
-                                                      const Origin& origin) {
+tl::expected<std::vector<AxisStep>, TargetError> axis_steps(const path::Program& program,
+                                                            const path::MachineSpace& machine,
+                                                            const Origin& origin) {
     const path::States states(program);
     const auto rotary_schedules = path::plan_rotary(program, machine, states, {});
     if (!rotary_schedules) return tl::unexpected(rotary_schedules.error());

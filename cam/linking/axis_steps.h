@@ -21,8 +21,8 @@ struct AxisStep {
 
 /// Returns the motion of the axes through a complete program, with sub-paths inserted and arcs as chords, as
 /// path2gcode writes it. The error names target and axis: out of its range, or not reachable.
-tl::expected<std::vector<AxisStep>, path::Error> axis_steps(const path::Program& program,
-                                                            const path::MachineSpace& machine,
-                                                            const Origin& origin);
+tl::expected<std::vector<AxisStep>, path::TargetError> axis_steps(const path::Program& program,
+                                                                  const path::MachineSpace& machine,
+                                                                  const Origin& origin);
 
 }  // namespace gsim::linking

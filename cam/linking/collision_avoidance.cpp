@@ -15,8 +15,8 @@ namespace gsim::linking {
 
 namespace {
 
-using path::Error;
 using path::Point;
+using path::TargetError;
 using path::TargetId;
 
 // Generated paths keep this distance in addition to the cell's clearance if possible, for controllers that
@@ -108,9 +108,9 @@ class RapidRerouter {
     std::size_t runs() const { return runs_; }
     std::size_t changed() const { return rerouted_runs_.size(); }
     /// Returns the first error of each path.
-    std::vector<Error> release_errors() {
+    std::vector<TargetError> release_errors() {
         std::set<std::size_t> reported;
-        const auto is_repeated = [&](const Error& error) {
+        const auto is_repeated = [&](const TargetError& error) {
             return !reported.insert(error.where.path).second;
         };
         errors_.erase(std::remove_if(errors_.begin(), errors_.end(), is_repeated), errors_.end());
@@ -164,10 +164,9 @@ class RapidRerouter {
             if (requested_mm == *min_mm) break;
         }
         errors_.push_back(
-            {to,
-             fmt::format("no way was found there that keeps {:.3g} mm away from everything: '{}' comes too "
-                         "near to '{}'",
-                         *min_mm, name(obstacle->items.first), name(obstacle->items.second))});
+            {to, fmt::format("no collision-free path with a clearance of {:.3g} mm was found: '{}' comes too "
+                             "close to '{}'",
+                             *min_mm, name(obstacle->items.first), name(obstacle->items.second))});
     }
 
     std::string name(std::size_t item) const { return space_.cell().items[item].name; }
@@ -183,7 +182,7 @@ class RapidRerouter {
     void report_end(const AxisValues& axes, const TargetId& where) {
         if (const auto obstacle = space_.obstacle_at(axes, kContactTolerance_mm))
             errors_.push_back(
-                {where, "the tool cannot stand at " + space_.collision_text(axes, obstacle->items)});
+                {where, "the tool cannot be positioned at " + space_.collision_text(axes, obstacle->items)});
     }
 
     // Leads the path through its original positions, without those near an obstacle, or else past all of
@@ -277,7 +276,7 @@ class RapidRerouter {
     Edits edits_;
     std::size_t runs_ = 0;
     std::set<std::size_t> rerouted_runs_;  ///< Indices of runs, which keep their order.
-    std::vector<Error> errors_;
+    std::vector<TargetError> errors_;
 };
 
 }  // namespace
@@ -291,8 +290,8 @@ bool has_orientations(const path::Program& program) {
     });
 }
 
-tl::expected<LinkingResult, Error> avoid_collisions(path::Program& program, const RapidPlanner& space,
-                                                    const AxisValues& start) {
+tl::expected<LinkingResult, TargetError> avoid_collisions(path::Program& program, const RapidPlanner& space,
+                                                          const AxisValues& start) {
     RapidRerouter maker(program, space, start);
     LinkingResult linking;
     bool converged = false;

@@ -6,10 +6,10 @@
 
 namespace gsim::linking {
 
-std::vector<path::Error> check_contacts(std::span<const AxisStep> steps, const RapidPlanner& space,
-                                        const AxisValues& start) {
+std::vector<path::TargetError> check_contacts(std::span<const AxisStep> steps, const RapidPlanner& space,
+                                              const AxisValues& start) {
     cell::ClearanceMonitor monitor(space.cell(), space.machine().machine());
-    std::vector<path::Error> errors;
+    std::vector<path::TargetError> errors;
     std::set<std::size_t> reported;
     AxisValues at = start;
     for (const AxisStep& step : steps) {
@@ -20,7 +20,7 @@ std::vector<path::Error> check_contacts(std::span<const AxisStep> steps, const R
         if (monitor.contacts().size() > before && reported.insert(step.where.path).second) {
             errors.push_back(
                 {step.where,
-                 "on the way to " + space.collision_text(step.axes, monitor.contacts()[before].pair)});
+                 "on the path to " + space.collision_text(step.axes, monitor.contacts()[before].pair)});
         }
         at = step.axes;
     }

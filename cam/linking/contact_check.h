@@ -8,7 +8,7 @@
 namespace gsim::linking {
 
 /// Returns the contacts along the motion of a program, the first one of each of its paths.
-std::vector<path::Error> check_contacts(std::span<const AxisStep> steps, const RapidPlanner& space,
-                                        const AxisValues& start);
+std::vector<path::TargetError> check_contacts(std::span<const AxisStep> steps, const RapidPlanner& space,
+                                              const AxisValues& start);
 
 }  // namespace gsim::linking

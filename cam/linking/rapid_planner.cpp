@@ -44,7 +44,7 @@ motion::Segment RapidPlanner::rapid(const AxisValues& from, const AxisValues& to
     motion::Segment segment;
     segment.start = machine_->joints(from);
     segment.end = machine_->joints(to);
-    const bool is_planned = setup_->controller.interpolated_rapids
+    const bool is_planned = setup_->controller.coordination.interpolated_rapids
                                 ? motion::plan_joint_move(*setup_, {}, 1, segment).has_value()
                                 : motion::plan_uncoordinated_move(*setup_, {}, segment).has_value();
     // If the machine's axis data give no time law, the path is straight anyway.

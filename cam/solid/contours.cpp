@@ -8,8 +8,7 @@
 
 namespace gsim::solid {
 
-tl::expected<WallContours, std::string> read_contours(const std::filesystem::path& file,
-                                                      const ContourOptions& options) {
+Result<WallContours> read_contours(const std::filesystem::path& file, const ContourOptions& options) {
     std::vector<std::string> settings{fmt::format("{}", options.tolerance_mm), options.kind, options.side,
                                       options.along_walls ? "walls" : "any"};
     std::string box;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::solid {
 
@@ -76,7 +76,6 @@ struct WallContours {
 
 /// Reads contours of a STEP or IGES file that contains bodies; docs/autopath.md describes the supported
 /// elements. The error message names the file, faces and positions.
-tl::expected<WallContours, std::string> read_contours(const std::filesystem::path& file,
-                                                      const ContourOptions& options);
+Result<WallContours> read_contours(const std::filesystem::path& file, const ContourOptions& options);
 
 }  // namespace gsim::solid

@@ -7,7 +7,7 @@
 
 namespace gsim::solid {
 
-tl::expected<Plate, std::string> read_plate(const std::filesystem::path& file, const PlateOptions& options) {
+Result<Plate> read_plate(const std::filesystem::path& file, const PlateOptions& options) {
     return query_reader_as(
         "plate", file,
         {fmt::format("{}", options.tolerance_mm), options.flip ? "flip" : "as-it-lies", options.facing_axis},

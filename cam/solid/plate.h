@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/drawing/drawing.h"
 
 namespace gsim::solid {
@@ -27,6 +26,6 @@ struct Plate {
 
 /// Reads the outlines of a STEP or IGES file; docs/autopath.md describes the supported elements. The error is
 /// a message that names the file, entities and positions.
-tl::expected<Plate, std::string> read_plate(const std::filesystem::path& file, const PlateOptions& options);
+Result<Plate> read_plate(const std::filesystem::path& file, const PlateOptions& options);
 
 }  // namespace gsim::solid

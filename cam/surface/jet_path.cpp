@@ -18,12 +18,11 @@ namespace gsim::surface {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
 using EdgePath = std::vector<JetPoint>;
 
 constexpr double kMinCornerAngle_rad = 1.5 * kRadPerDeg;  // a turn that is no corner
 constexpr double kCornerStep_rad = 5 * kRadPerDeg;        // of the jet about a corner
-constexpr double kSame_mm = 1e-7;
+constexpr double kSamePoint_mm = 1e-7;
 constexpr double kMaxCornerDistanceKerfs = 20;  // max distance of the jet from a lower corner
 constexpr double kEqualTolerance = 1e-9;
 
@@ -82,11 +81,11 @@ class JetPathBuilder {
     JetPathBuilder(const solid::WallContour& contour, const JetShape& jet, const JetOptions& options)
         : contour_(contour), jet_(jet), options_(options) {}
 
-    tl::expected<JetPath, std::string> run() {
+    Result<JetPath> run() {
         for (std::size_t i = 0; i < contour_.edges.size(); ++i) {
             if (auto result = add_edge(i); !result) return Unexpected(result.error());
         }
-        if (edges_.size() == 1 && !contour_.is_open) split_single();
+        if (edges_.size() == 1 && !contour_.is_open) split_single_edge();
         corners_.resize(edges_.size());
         const std::size_t joints = contour_.is_open ? edges_.size() - 1 : edges_.size();
         for (std::size_t i = 0; i < joints; ++i) {
@@ -99,7 +98,7 @@ class JetPathBuilder {
   private:
     const std::string& name(std::size_t edge) const { return contour_.edges[edge].name; }
 
-    tl::expected<void, std::string> add_edge(std::size_t number) {
+    Result<void> add_edge(std::size_t number) {
         EdgePath jet_path;
         for (const solid::WallPoint& point : contour_.edges[number].points) {
             jet_path.push_back(make_jet_point(point, number, jet_, options_));
@@ -107,8 +106,8 @@ class JetPathBuilder {
             const double tilt_deg = angle_between_rad(at.axis, at.normal) * kDegPerRad;
             if (tilt_deg <= options_.max_tilt_deg) continue;
             return Unexpected(
-                fmt::format("{} cannot be cut: at {} the jet would lean {:.4g} deg from the face's "
-                            "normal, more than {:g} deg (--max-lean)",
+                fmt::format("{} cannot be cut: at {} the jet would be tilted {:.4g} deg from the face "
+                            "normal, more than {:g} deg (--max-tilt)",
                             name(number), display_text(at.edge_mm), tilt_deg, options_.max_tilt_deg));
         }
         edges_.push_back(std::move(jet_path));
@@ -116,7 +115,7 @@ class JetPathBuilder {
     }
 
     // Splits a contour of one edge into two edges, so that it has corners between different edges.
-    void split_single() {
+    void split_single_edge() {
         EdgePath& only = edges_.front();
         const auto half = static_cast<std::ptrdiff_t>(only.size() / 2);
         EdgePath second(only.begin() + half, only.end());
@@ -124,7 +123,7 @@ class JetPathBuilder {
         edges_.push_back(std::move(second));
     }
 
-    tl::expected<void, std::string> join(std::size_t number, std::size_t next) {
+    Result<void> join(std::size_t number, std::size_t next) {
         EdgePath& before = edges_[number];
         EdgePath& after = edges_[next];
         const JetPoint end = before.back();
@@ -168,7 +167,7 @@ class JetPathBuilder {
             };
             const Vector from = flat(edge[i - 1].low_mm);
             const Vector direction = flat(edge[i].low_mm) - from;
-            const double share = direction.norm() < kSame_mm
+            const double share = direction.norm() < kSamePoint_mm
                                      ? 0
                                      : std::clamp(-from.dot(direction) / direction.squaredNorm(), 0.0, 1.0);
             nearest = std::min(nearest, (from + share * direction).norm());
@@ -229,8 +228,8 @@ class JetPathBuilder {
 
     // Returns the intersection of two paths, seen along the jet, as near to the end of the first as possible.
     template <typename MiddleOf>
-    static std::optional<PathIntersection> cut_meeting(const EdgePath& before, const EdgePath& after,
-                                                       MiddleOf center_of_point) {
+    static std::optional<PathIntersection> find_intersection(const EdgePath& before, const EdgePath& after,
+                                                             MiddleOf center_of_point) {
         const Vector direction = (before.back().axis + after.front().axis).normalized();
         const Vector x = perpendicular(before.back().tangent, direction);
         const Vector y = direction.cross(x);
@@ -252,7 +251,7 @@ class JetPathBuilder {
     // Trims both paths at their intersection.
     bool trim(EdgePath& before, EdgePath& after) const {
         const auto found =
-            cut_meeting(before, after, [this](const JetPoint& at) { return jet_center(at, jet_); });
+            find_intersection(before, after, [this](const JetPoint& at) { return jet_center(at, jet_); });
         if (!found) return false;
         const JetPoint last = between(before[found->before], before[found->before + 1], found->before_share);
         const JetPoint first = between(after[found->after], after[found->after + 1], found->after_share);
@@ -266,8 +265,8 @@ class JetPathBuilder {
     // At the intersection of the paths of the lower ends, near their corner, the lower end of the jet stays
     // while its upper end moves on.
     std::optional<Vector> trim_lower_ends(EdgePath& before, EdgePath& after, const Vector& corner_mm) const {
-        const auto found =
-            cut_meeting(before, after, [this](const JetPoint& at) { return lower_jet_center(at, jet_); });
+        const auto found = find_intersection(
+            before, after, [this](const JetPoint& at) { return lower_jet_center(at, jet_); });
         if (!found) return std::nullopt;
         const JetPoint last = between(before[found->before], before[found->before + 1], found->before_share);
         const JetPoint first = between(after[found->after], after[found->after + 1], found->after_share);
@@ -283,15 +282,14 @@ class JetPathBuilder {
     }
 
     // The jet's path reverses at a curvature radius that is smaller than half of the kerf.
-    tl::expected<void, std::string> check_curvature() const {
+    Result<void> check_curvature() const {
         for (const EdgePath& jet_path : edges_) {
             for (std::size_t i = 1; i < jet_path.size(); ++i) {
                 const Vector edge_step = jet_path[i].edge_mm - jet_path[i - 1].edge_mm;
                 const Vector step = jet_center(jet_path[i], jet_) - jet_center(jet_path[i - 1], jet_);
-                if (edge_step.norm() < kSame_mm || step.dot(edge_step) > 0) continue;
+                if (edge_step.norm() < kSamePoint_mm || step.dot(edge_step) > 0) continue;
                 return Unexpected(
-                    fmt::format("{} cannot be cut: at {} its radius is smaller than half of the "
-                                "kerf, {:g} mm",
+                    fmt::format("{} cannot be cut: at {} its radius is smaller than half the kerf, {:g} mm",
                                 name(jet_path[i].edge), display_text(jet_path[i].edge_mm), jet_.kerf_mm / 2));
             }
         }
@@ -318,7 +316,7 @@ class JetPathBuilder {
     static void add(const JetPoint& at, EdgePath& points) {
         if (!points.empty()) {
             const JetPoint& last = points.back();
-            const bool same = (at.edge_mm - last.edge_mm).norm() < kSame_mm &&
+            const bool same = (at.edge_mm - last.edge_mm).norm() < kSamePoint_mm &&
                               (at.axis - last.axis).norm() < kEqualTolerance &&
                               (at.lateral - last.lateral).norm() < 1e-6;
             if (same) points.pop_back();
@@ -360,8 +358,7 @@ JetPoint between(const JetPoint& a, const JetPoint& b, double share) {
     return at;
 }
 
-tl::expected<JetPath, std::string> jet_path(const solid::WallContour& contour, const JetShape& jet,
-                                            const JetOptions& options) {
+Result<JetPath> jet_path(const solid::WallContour& contour, const JetShape& jet, const JetOptions& options) {
     return JetPathBuilder(contour, jet, options).run();
 }
 

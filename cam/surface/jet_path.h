@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/solid/contours.h"
 #include "cam/surface/jet_point.h"
 
@@ -24,8 +23,7 @@ struct JetOptions {
 /// width from the edges, runs around corners that open, and is trimmed at corners that close. The error is a
 /// message: an edge at which the jet would tilt too much or point up, or a curve or corner that is narrower
 /// than the jet.
-tl::expected<JetPath, std::string> jet_path(const solid::WallContour& contour, const JetShape& jet,
-                                            const JetOptions& options);
+Result<JetPath> jet_path(const solid::WallContour& contour, const JetShape& jet, const JetOptions& options);
 
 /// Direction in which a path with material to its left turns about an axis: outwards, so that the jet has to
 /// turn about the corner, or inwards.

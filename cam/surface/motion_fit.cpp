@@ -6,7 +6,7 @@
 
 #include "base/units.h"
 #include "cam/surface/jet_path.h"
-#include "cam/surface/vertical_axis.h"
+#include "cam/surface/vertical_points.h"
 
 namespace gsim::surface {
 
@@ -113,7 +113,7 @@ class MoveFitter {
         while (bad == 0) {
             const std::size_t to = std::min(from + step, points_.size() - 1);
             if (to == fitting_end) return fitting_end;
-            if (!is_one_move(from, to))
+            if (!fits_one_move(from, to))
                 bad = to;
             else if (to == points_.size() - 1)
                 return to;
@@ -123,12 +123,12 @@ class MoveFitter {
         }
         while (bad - fitting_end > 1) {
             const std::size_t middle = (fitting_end + bad) / 2;
-            (is_one_move(from, middle) ? fitting_end : bad) = middle;
+            (fits_one_move(from, middle) ? fitting_end : bad) = middle;
         }
         return fitting_end;
     }
 
-    bool is_one_move(std::size_t from, std::size_t to) const {
+    bool fits_one_move(std::size_t from, std::size_t to) const {
         for (std::size_t i = from; i < to; ++i) {
             const bool is_stationary = distance_mm_[i + 1] - distance_mm_[i] < kStationary_mm;
             if (i > from && points_[i].is_fixed) return false;

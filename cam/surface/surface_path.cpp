@@ -11,14 +11,12 @@
 #include "cam/surface/edge_proximity.h"
 #include "cam/surface/surface_lead.h"
 #include "cam/surface/surface_program.h"
-#include "cam/surface/vertical_axis.h"
+#include "cam/surface/vertical_points.h"
 #include "toolpath/model/validate.h"
 
 namespace gsim::surface {
 
 namespace {
-
-using Unexpected = tl::unexpected<std::string>;
 
 constexpr double kDefaultLeadKerfs = 3;
 constexpr double kReportThreshold_mm = 0.02;  // of material removed or left at a lower edge
@@ -48,7 +46,7 @@ class SurfacePathBuilder {
                        const SurfaceOptions& options)
         : part_(part), rules_(rules), options_(options), jet_{rules.kerf_mm, options.cut_height_mm} {}
 
-    tl::expected<cutting::Autopath, std::string> run() {
+    Result<cutting::Autopath> run() {
         std::vector<JetPath> paths;
         for (const solid::WallContour& contour : part_.contours) {
             auto path = jet_path(contour, jet_, options_.jet);
@@ -85,19 +83,19 @@ class SurfacePathBuilder {
         return options_.lead_mm > 0 ? options_.lead_mm : kDefaultLeadKerfs * rules_.kerf_mm;
     }
 
-    tl::expected<void, std::string> check(const JetPath& jet_path, const EdgeProximity& edges) const {
+    Result<void> check(const JetPath& jet_path, const EdgeProximity& edges) const {
         for (const JetPoint& at : jet_path.points) {
             const auto found = edges.nearest(jet_center(at, jet_), at.axis, at.depth_mm);
             const double gouge_mm = rules_.kerf_mm / 2 - found.distance_mm;
             if (gouge_mm <= kMaxGouge_mm) continue;
-            return Unexpected(fmt::format("{} cannot be cut: at {} the jet would go {:.3g} mm into {} at {}",
+            return Unexpected(fmt::format("{} cannot be cut: at {} the jet would cut {:.3g} mm into {} at {}",
                                           jet_path.edges[at.edge], display_text(at.edge_mm), gouge_mm,
                                           found.edge, display_text(found.position)));
         }
         return {};
     }
 
-    tl::expected<cutting::Autopath, std::string> written(std::vector<SurfaceCut> cuts) const {
+    Result<cutting::Autopath> written(std::vector<SurfaceCut> cuts) const {
         SurfaceProgramOptions options;
         options.name = options_.name;
         options.jet = jet_;
@@ -115,7 +113,7 @@ class SurfacePathBuilder {
         autopath.notes.insert(autopath.notes.end(), notes_.begin(), notes_.end());
         if (autopath.summary.without_leads > 0) {
             autopath.notes.push_back(
-                fmt::format("{} contours have no room for leads: the jet pierces on the contour",
+                fmt::format("{} contours have no room for lead-ins: the jet pierces on the contour",
                             autopath.summary.without_leads));
         }
         if (const auto error = path::validate(autopath.program)) return Unexpected(error->message);
@@ -132,8 +130,9 @@ class SurfacePathBuilder {
                 at = &edge;
             }
             if (at == nullptr) continue;
-            notes.push_back(fmt::format("behind {} of {} the jet meets the part again, {:.4g} mm on",
-                                        at->name, contour.face, nearest));
+            notes.push_back(
+                fmt::format("after {} of {} the jet hits the part again, at a distance of {:.4g} mm",
+                            at->name, contour.face, nearest));
         }
     }
 
@@ -153,8 +152,8 @@ class SurfacePathBuilder {
         }
         if (max.edge.empty()) return;
         notes_.push_back(
-            fmt::format("at lower edges of walls the jet takes up to {:.2g} mm more: below {} at {}", max_mm,
-                        max.edge, display_text(max.position)));
+            fmt::format("at lower edges of walls the jet removes up to {:.2g} mm too much: below {} at {}",
+                        max_mm, max.edge, display_text(max.position)));
     }
 
     void report_lower_corners(const std::vector<JetPath>& paths) {
@@ -172,9 +171,8 @@ class SurfacePathBuilder {
         }
         if (count == 0) return;
         notes_.push_back(
-            fmt::format("{} corners of lower edges are narrower than the jet: material stays in them, up to "
-                        "{:.2g} mm at {}, "
-                        "below {}, where the lower edge turns by {:.0f} deg",
+            fmt::format("{} corners of lower edges are narrower than the jet: material remains in them, up "
+                        "to {:.2g} mm at {}, below {}, where the lower edge turns by {:.0f} deg",
                         count, max.uncut_mm, display_text(max.lower_edge_mm), edge, max.turn_deg));
     }
 
@@ -187,9 +185,8 @@ class SurfacePathBuilder {
 
 }  // namespace
 
-tl::expected<cutting::Autopath, std::string> surface_path(const solid::WallContours& part,
-                                                          const cutting::CutRules& rules,
-                                                          const SurfaceOptions& options) {
+Result<cutting::Autopath> surface_path(const solid::WallContours& part, const cutting::CutRules& rules,
+                                       const SurfaceOptions& options) {
     return SurfacePathBuilder(part, rules, options).run();
 }
 

@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/cutting/autopath.h"
 #include "cam/cutting/cut_rules.h"
 #include "cam/solid/contours.h"
@@ -27,8 +26,7 @@ struct SurfaceOptions {
 
 /// Returns the path that cuts the contours of a part, which may be curved: holes first, then the nearest
 /// next. The error is a message that names edge, position and reason.
-tl::expected<cutting::Autopath, std::string> surface_path(const solid::WallContours& part,
-                                                          const cutting::CutRules& rules,
-                                                          const SurfaceOptions& options);
+Result<cutting::Autopath> surface_path(const solid::WallContours& part, const cutting::CutRules& rules,
+                                       const SurfaceOptions& options);
 
 }  // namespace gsim::surface

@@ -32,16 +32,16 @@ void align_to_both_edges(JetPoint& at, const JetShape& jet) {
 }
 
 void align_to_twisted_wall(JetPoint& at, const JetShape& jet) {
-    const JetPoint wall_aligned = at;
+    const JetPoint aligned_point = at;
     const double cosine =
         perpendicular(at.lateral, at.axis).dot(perpendicular(at.lower_offset_direction, at.axis));
     const double gouge_mm = jet.kerf_mm / 2 * (1 - cosine);
     const double share =
         std::clamp((gouge_mm - kAllowedGouge_mm) / (kBlendEnd_mm - kAllowedGouge_mm), 0.0, 1.0);
     align_to_both_edges(at, jet);
-    at.axis = ((1 - share) * wall_aligned.axis + share * at.axis).normalized();
-    at.lateral = perpendicular(wall_aligned.lateral, at.axis);
-    at.lower_offset_direction = perpendicular(wall_aligned.lower_offset_direction, at.axis);
+    at.axis = ((1 - share) * aligned_point.axis + share * at.axis).normalized();
+    at.lateral = perpendicular(aligned_point.lateral, at.axis);
+    at.lower_offset_direction = perpendicular(aligned_point.lower_offset_direction, at.axis);
 }
 
 void aim_lower_end(JetPoint& at, const Vector& lower_center_mm, const JetShape& jet) {

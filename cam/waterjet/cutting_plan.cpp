@@ -18,13 +18,11 @@ namespace {
 constexpr ValueRange kTypicalPressure{"pressure_mpa", 170, 415};
 constexpr ValueRange kTypicalOrifice{"orifice_mm", 0.076, 0.89};
 
-using Error = std::optional<std::string>;
-
-Error find_error(const std::optional<double>& value, const ValueRange& range) {
+std::optional<Error> find_error(const std::optional<double>& value, const ValueRange& range) {
     return value ? range.find_error(*value) : std::nullopt;
 }
 
-Error find_error(const CuttingRequest& request) {
+std::optional<Error> find_error(const CuttingRequest& request) {
     const std::pair<std::optional<double>, ValueRange> all[] = {
         {request.thickness_mm, range::kThickness},    {request.quality, range::kQuality},
         {request.pressure_mpa, range::kPressure},     {request.orifice_mm, range::kOrifice},
@@ -55,15 +53,15 @@ double resolve_machinability(ValueResolver& resolver, const Materials& file, con
 
 JetSetting resolve_jet(ValueResolver& resolver, const JetRule& rule, const CuttingRequest& request,
                        CuttingPlan& plan) {
-    const auto none = [] { return Inferred{}; };  // the file always has these
+    const auto none = [] { return InferredValue{}; };  // the file always has these
     JetSetting jet;
     jet.abrasive_factor = rule.abrasive_factor;
     jet.pressure_mpa = resolver.resolve("pressure", "MPa", request.pressure_mpa, rule.pressure_mpa, none);
     jet.orifice_mm = resolver.resolve("orifice", "mm", request.orifice_mm, rule.orifice_mm, none);
     jet.mixing_tube_mm =
         resolver.resolve("mixing tube", "mm", request.mixing_tube_mm, rule.mixing_tube_mm, [&] {
-            return Inferred{rule.tube_to_orifice * jet.orifice_mm,
-                            fmt::format("{} times the orifice", rule.tube_to_orifice)};
+            return InferredValue{rule.tube_to_orifice * jet.orifice_mm,
+                                 fmt::format("{} times the orifice", rule.tube_to_orifice)};
         });
     plan.water_l_min =
         resolver.inferred("water", "l/min",
@@ -71,8 +69,8 @@ JetSetting resolve_jet(ValueResolver& resolver, const JetRule& rule, const Cutti
                            fmt::format("pressure and orifice, coefficient of discharge {}", rule.discharge)});
     jet.abrasive_g_min =
         resolver.resolve("abrasive", "g/min", request.abrasive_g_min, rule.abrasive_g_min, [&] {
-            return Inferred{1000 * rule.abrasive_to_water * plan.water_l_min,
-                            fmt::format("{} times the water's mass", rule.abrasive_to_water)};
+            return InferredValue{1000 * rule.abrasive_to_water * plan.water_l_min,
+                                 fmt::format("{} times the mass of the water", rule.abrasive_to_water)};
         });
     return jet;
 }
@@ -84,7 +82,7 @@ void resolve_speeds(ValueResolver& resolver, const CuttingRequest& request, Cutt
          "the cutting equation at quality 1"});
     plan.cutting_speed_mm_min =
         resolver.resolve("cutting speed", "mm/min", request.speed_mm_min, std::nullopt, [&] {
-            return Inferred{
+            return InferredValue{
                 cutting_speed_mm_min(plan.jet, plan.machinability, plan.thickness_mm, plan.quality),
                 fmt::format("the cutting equation at quality {}", plan.quality)};
         });
@@ -94,14 +92,14 @@ void resolve_speeds(ValueResolver& resolver, const CuttingRequest& request, Cutt
 void resolve_pierce(ValueResolver& resolver, const PierceRule& rule, const CuttingRequest& request,
                     CuttingPlan& plan) {
     plan.pierce_s = resolver.resolve("pierce", "s", request.pierce_s, std::nullopt, [&] {
-        return Inferred{
+        return InferredValue{
             pierce_s(rule, plan.thickness_mm, plan.separation_speed_mm_min),
             fmt::format("thickness and separation speed, factor {}, at least {} s", rule.factor, rule.min_s)};
     });
     if (!request.dynamic_pierce) return;
-    plan.dynamic_pierce_s = resolver.resolve("moving pierce", "s", request.pierce_s, std::nullopt, [&] {
-        return Inferred{*rule.dynamic_pierce_share * plan.pierce_s,
-                        fmt::format("{} times that at rest", *rule.dynamic_pierce_share)};
+    plan.dynamic_pierce_s = resolver.resolve("dynamic pierce", "s", request.pierce_s, std::nullopt, [&] {
+        return InferredValue{*rule.dynamic_pierce_share * plan.pierce_s,
+                             fmt::format("{} times the stationary pierce", *rule.dynamic_pierce_share)};
     });
 }
 
@@ -109,35 +107,36 @@ void resolve_shape(ValueResolver& resolver, const Materials& file, const Cutting
                    CuttingPlan& plan) {
     const double share = plan.cutting_speed_mm_min / plan.separation_speed_mm_min;
     plan.kerf_mm = resolver.resolve("kerf", "mm", request.kerf_mm, std::nullopt, [&] {
-        return Inferred{kerf_mm(file.kerf, plan.jet.mixing_tube_mm),
-                        fmt::format("{} times the mixing tube", file.kerf.width_to_tube)};
+        return InferredValue{kerf_mm(file.kerf, plan.jet.mixing_tube_mm),
+                             fmt::format("{} times the mixing tube", file.kerf.width_to_tube)};
     });
     plan.exit_kerf_mm =
         resolver.inferred("kerf at the exit", "mm",
                           {exit_kerf_mm(file.kerf, plan.kerf_mm, share), "kerf, taper and cutting speed"});
-    plan.taper_mm = resolver.inferred(
-        "taper each side", "mm",
-        {taper_mm(file.kerf, plan.kerf_mm, share), "the file's taper and share of the separation speed"});
+    plan.taper_mm = resolver.inferred("taper each side", "mm",
+                                      {taper_mm(file.kerf, plan.kerf_mm, share),
+                                       "the file's taper, and the ratio to the separation speed"});
     resolve_pierce(resolver, file.pierce, request, plan);
     plan.lag_mm = resolver.inferred(
         "jet lag", "mm",
         {lag_mm(file.lag, {plan.thickness_mm, plan.separation_speed_mm_min}, plan.cutting_speed_mm_min),
-         "thickness and share of the separation speed"});
-    plan.contour_error_mm = resolver.inferred(
-        "contour error", "mm", {contour_error_mm(file.lag, plan.quality), "the file's errors by quality"});
+         "thickness, and the ratio to the separation speed"});
+    plan.contour_error_mm =
+        resolver.inferred("contour error", "mm",
+                          {contour_error_mm(file.lag, plan.quality), "the file's errors for each quality"});
 }
 
 void add_warnings(CuttingPlan& plan) {
     const auto warn_if_unusual = [&](double value, const ValueRange& typical_range) {
         if (!typical_range.find_error(value)) return;
-        plan.warnings.push_back(fmt::format("{} is {}, outside of the usual {} to {}", typical_range.key,
-                                            value, typical_range.min, typical_range.max));
+        plan.warnings.push_back(fmt::format("{} is {}, outside the usual range of {} to {}",
+                                            typical_range.key, value, typical_range.min, typical_range.max));
     };
     warn_if_unusual(plan.jet.pressure_mpa, kTypicalPressure);
     warn_if_unusual(plan.jet.orifice_mm, kTypicalOrifice);
     if (plan.cutting_speed_mm_min > plan.separation_speed_mm_min) {
         plan.warnings.push_back(
-            fmt::format("at {:.1f} mm/min the jet does not come through; the fastest is {:.1f}",
+            fmt::format("at {:.1f} mm/min the jet does not cut through; the max speed is {:.1f}",
                         plan.cutting_speed_mm_min, plan.separation_speed_mm_min));
     }
 }
@@ -150,8 +149,7 @@ double limited_feed(const CuttingPlan& plan, double allowed_lag_mm) {
 
 }  // namespace
 
-tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
-                                                    const CuttingRequest& request) {
+Result<CuttingPlan> plan_cutting(const Materials& materials, const CuttingRequest& request) {
     if (auto error = find_error(request)) return tl::unexpected(*std::move(error));
     const auto material = find_material(materials, request.material);
     if (!material) return tl::unexpected(material.error());
@@ -159,23 +157,23 @@ tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
     ValueResolver resolver;
     plan.material = (*material)->name;
     if (request.dynamic_pierce && !request.pierce_s && !materials.pierce.dynamic_pierce_share) {
-        return tl::unexpected(
-            std::string("the materials file has no 'moving_share' in [pierce]: how long a moving pierce "
-                        "takes has to be given"));
+        return Unexpected(
+            "the materials file has no 'moving_share' in [pierce]: the time of a dynamic pierce must be "
+            "given");
     }
     plan.lag = materials.lag;
     plan.kerf = materials.kerf;
     plan.thickness_mm =
         request.thickness_basis.empty()
-            ? resolver.record_input("thickness", "mm", request.thickness_mm)
+            ? resolver.from_request("thickness", "mm", request.thickness_mm)
             : resolver.inferred("thickness", "mm", {request.thickness_mm, request.thickness_basis});
     plan.machinability = resolve_machinability(resolver, materials, **material);
-    plan.quality =
-        resolver.resolve("quality", {}, request.quality, materials.jet.quality, [] { return Inferred{}; });
+    plan.quality = resolver.resolve("quality", {}, request.quality, materials.jet.quality,
+                                    [] { return InferredValue{}; });
     plan.jet = resolve_jet(resolver, materials.jet, request, plan);
     if (plan.jet.mixing_tube_mm <= plan.jet.orifice_mm) {
-        return tl::unexpected(fmt::format("the mixing tube ({} mm) must be wider than the orifice ({} mm)",
-                                          plan.jet.mixing_tube_mm, plan.jet.orifice_mm));
+        return Unexpected(fmt::format("the mixing tube ({} mm) must be wider than the orifice ({} mm)",
+                                      plan.jet.mixing_tube_mm, plan.jet.orifice_mm));
     }
     resolve_speeds(resolver, request, plan);
     resolve_shape(resolver, materials, request, plan);

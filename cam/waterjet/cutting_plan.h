@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/waterjet/materials.h"
 #include "cam/waterjet/value_resolver.h"
 
@@ -53,8 +52,7 @@ struct CuttingPlan {
 
 /// Settles every value. The error is a message: an unknown material, a value out of range, a mixing tube that
 /// is not wider than its orifice.
-tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
-                                                    const CuttingRequest& request);
+Result<CuttingPlan> plan_cutting(const Materials& materials, const CuttingRequest& request);
 
 /// Returns the feed on an arc of the tool path, in mm/min: the cutting speed, reduced as far as necessary to
 /// keep the jet's lag within the contour's error. `radius_mm` <= 0 or NaN counts as 0, infinity is a straight

@@ -8,12 +8,12 @@
 
 namespace gsim::waterjet {
 
-double lag_mm(const LagRule& rule, const LagState& cut, double speed_mm_min) {
+double lag_mm(const LagRule& rule, const StraightCut& cut, double speed_mm_min) {
     return rule.lag_to_thickness * cut.thickness_mm *
            std::pow(speed_mm_min / cut.separation_speed_mm_min, rule.exponent);
 }
 
-double speed_for_lag_mm_min(const LagRule& rule, const LagState& cut, double lag_mm) {
+double speed_for_lag_mm_min(const LagRule& rule, const StraightCut& cut, double lag_mm) {
     return cut.separation_speed_mm_min *
            std::pow(lag_mm / (rule.lag_to_thickness * cut.thickness_mm), 1 / rule.exponent);
 }

@@ -16,16 +16,16 @@ struct LagRule {
 };
 
 /// The straight cut that a lag belongs to.
-struct LagState {
+struct StraightCut {
     double thickness_mm = 0;
     double separation_speed_mm_min = 0;
 };
 
 /// Returns the distance between the jet's entry and its exit, in mm.
-double lag_mm(const LagRule& rule, const LagState& cut, double speed_mm_min);
+double lag_mm(const LagRule& rule, const StraightCut& cut, double speed_mm_min);
 
 /// Returns the speed at which the jet lags by `lag_mm`: the inverse of the function above.
-double speed_for_lag_mm_min(const LagRule& rule, const LagState& cut, double lag_mm);
+double speed_for_lag_mm_min(const LagRule& rule, const StraightCut& cut, double lag_mm);
 
 /// Returns the error that the rule allows at a quality of 1 .. 5; values between integers are interpolated
 /// linearly.

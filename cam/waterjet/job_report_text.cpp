@@ -11,15 +11,15 @@ namespace gsim::waterjet {
 namespace {
 
 std::string clock_text(double time_s) {
-    constexpr double kLongest_s = 1e9;
-    if (!(time_s < kLongest_s)) return "-";
+    constexpr double kMaxShown_s = 1e9;
+    if (!(time_s < kMaxShown_s)) return "-";
     const auto total_s = std::llround(time_s);
     return fmt::format("{}:{:02}:{:02}", total_s / 3600, total_s / 60 % 60, total_s % 60);
 }
 
 std::string source_text(const ResolvedValue& value) {
     switch (value.origin) {
-        case Origin::record_input: return "given";
+        case Origin::from_request: return "given";
         case Origin::from_file:
             return value.basis.empty() ? "the file" : fmt::format("the file: {}", value.basis);
         case Origin::inferred: return fmt::format("inferred from {}", value.basis);
@@ -39,11 +39,11 @@ void append_plan(std::string& out, const CuttingPlan& plan) {
 void append_quantities(std::string& out, const JobPrice& price) {
     text::append_format(out, "\nJob\n  {:<18}{:>12.1f} mm\n", "cut length", price.cut_length_mm);
     text::append_format(out, "  {:<18}{:>12}\n", "pierces", price.pierces);
-    text::append_format(out, "  {:<18}{:>12} of it piercing {}\n", "jet time", clock_text(price.jet_time_s),
-                        clock_text(price.pierce_time_s));
+    text::append_format(out, "  {:<18}{:>12} of which piercing {}\n", "jet time",
+                        clock_text(price.jet_time_s), clock_text(price.pierce_time_s));
     text::append_format(out, "  {:<18}{:>12}\n", "machine time", clock_text(price.machine_time_s));
     text::append_format(out, "  {:<18}{:>12.1f} l\n", "water", price.water_l);
-    text::append_format(out, "  {:<18}{:>12.2f} kg, of it recycled {:.2f} kg\n", "abrasive",
+    text::append_format(out, "  {:<18}{:>12.2f} kg, of which recycled {:.2f} kg\n", "abrasive",
                         price.abrasive_kg, price.recycled_abrasive_kg);
 }
 
@@ -55,25 +55,25 @@ std::string jet_text(const CuttingPlan& plan, double time_s) {
 
 void append_accuracy(std::string& out, const JobReport& report) {
     const CuttingPlan& plan = report.plan;
-    text::append_format(out, "\nAccuracy takes\n  {:<18}{}\n", "curves, corners",
+    text::append_format(out, "\nTime for accuracy\n  {:<18}{}\n", "curves, corners",
                         jet_text(plan, report.accuracy.slowdown_s));
     if (report.accuracy.taper_compensation_s) {
-        text::append_format(out, "  {:<18}{}, leaning {:.3g} deg at the cutting speed\n", "straight sides",
+        text::append_format(out, "  {:<18}{}, tilted {:.3g} deg at the cutting speed\n", "straight walls",
                             jet_text(plan, *report.accuracy.taper_compensation_s),
                             taper_compensation_deg(plan, plan.cutting_speed_mm_min));
     } else {
-        text::append_format(out,
-                            "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--straighten)\n",
-                            "straight sides", 0, plan.taper_mm);
+        text::append_format(
+            out, "  {:<18}{:>12} s   not requested: walls deviate by {:.3g} mm (--taper-compensation)\n",
+            "straight walls", 0, plan.taper_mm);
     }
     if (plan.dynamic_pierce_s) {
-        text::append_format(out, "  {:<18}{}\n", "moving pierces",
+        text::append_format(out, "  {:<18}{}\n", "dynamic pierces",
                             jet_text(plan, report.price.pierce_time_s -
                                                plan.pierce_s * static_cast<double>(report.price.pierces)));
     }
 }
 
-void append_bill(std::string& out, const JobReport& report) {
+void append_price_items(std::string& out, const JobReport& report) {
     text::append_format(out, "\nPrice\n");
     for (const PriceItem& item : report.price.items) {
         text::append_format(out, "  {:<18}{:>12.4f} {:<7}at {:>9.2f}{:>12.2f}\n", item.name, item.quantity,
@@ -89,7 +89,7 @@ std::string job_report_text(const JobReport& report) {
     append_plan(out, report.plan);
     append_quantities(out, report.price);
     append_accuracy(out, report);
-    append_bill(out, report);
+    append_price_items(out, report);
     return out;
 }
 

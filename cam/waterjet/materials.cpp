@@ -10,7 +10,7 @@
 
 namespace gsim::waterjet {
 
-tl::expected<const Material*, std::string> find_material(const Materials& materials, std::string_view name) {
+Result<const Material*> find_material(const Materials& materials, std::string_view name) {
     const auto& list = materials.materials;
     const auto found = std::find_if(list.begin(), list.end(),
                                     [&](const Material& material) { return material.name == name; });
@@ -20,8 +20,8 @@ tl::expected<const Material*, std::string> find_material(const Materials& materi
     for (const Material& material : list) known.emplace_back(material.name);
     const auto nearest = text::nearest_name(name, known);
     const std::string hint = nearest ? fmt::format("did you mean {}?", base::toml_string(*nearest))
-                                     : fmt::format("known are {}", text::joined(known, ", "));
-    return tl::unexpected(fmt::format("unknown material {}; {}", base::toml_string(name), hint));
+                                     : fmt::format("known materials: {}", text::joined(known, ", "));
+    return Unexpected(fmt::format("unknown material {}; {}", base::toml_string(name), hint));
 }
 
 double material_machinability(const Materials& materials, const Material& material) {

@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/waterjet/cutting_speed.h"
 #include "cam/waterjet/jet_lag.h"
 #include "cam/waterjet/kerf.h"
@@ -81,7 +80,7 @@ struct Materials {
 };
 
 /// Returns the material of that name; the error names the nearest one.
-tl::expected<const Material*, std::string> find_material(const Materials& materials, std::string_view name);
+Result<const Material*> find_material(const Materials& materials, std::string_view name);
 
 /// Returns the machinability of one of these materials: its own number, that of the material it is like, or
 /// the result of its measured cut.

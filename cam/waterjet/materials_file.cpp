@@ -33,7 +33,7 @@ constexpr std::array kMeasuredKeys{"speed_mm_min"sv,   "thickness_mm"sv,   "qual
                                    "abrasive_g_min"sv, "abrasive_factor"sv};
 constexpr std::size_t kMaxTextLength = 200;
 
-constexpr ValueRange kFactor{"abrasive_factor", 0.01, 100};
+constexpr ValueRange kAbrasiveFactor{"abrasive_factor", 0.01, 100};
 constexpr ValueRange kDischarge{"discharge", 0.1, 1};
 constexpr ValueRange kTubeRatio{"tube_to_orifice", 1.01, 20};
 constexpr ValueRange kAbrasiveRatio{"abrasive_to_water", 0.001, 1};
@@ -53,7 +53,7 @@ constexpr double kMinLife_h = 0.01;
 std::optional<double> optional_number(TomlSection& section, const ValueRange& range) {
     if (!section.has(range.key)) return std::nullopt;
     const double value = section.number(range.key, range.min, NumberRule::finite);
-    if (const auto error_message = range.find_error(value)) section.fail(range.key, *error_message);
+    if (const auto error = range.find_error(value)) section.fail(range.key, error->message);
     return value;
 }
 
@@ -93,7 +93,7 @@ JetRule read_jet(TomlSection& section) {
     rule.orifice_mm = number(section, range::kOrifice);
     rule.mixing_tube_mm = optional_number(section, range::kMixingTube);
     rule.abrasive_g_min = optional_number(section, range::kAbrasive);
-    rule.abrasive_factor = number(section, kFactor);
+    rule.abrasive_factor = number(section, kAbrasiveFactor);
     rule.discharge = number(section, kDischarge);
     rule.tube_to_orifice = number(section, kTubeRatio);
     rule.abrasive_to_water = number(section, kAbrasiveRatio);
@@ -116,7 +116,7 @@ std::array<double, 5> read_contour_errors(TomlSection& section) {
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const auto value = (*array)[i].value<double>();
         if (!value || kContourError.find_error(*value)) {
-            section.fail(kKey, fmt::format("'{}' must hold numbers between {} and {}", kKey,
+            section.fail(kKey, fmt::format("'{}' must contain numbers between {} and {}", kKey,
                                            kContourError.min, kContourError.max));
             return errors;
         }
@@ -161,15 +161,15 @@ MeasuredCut read_measured(FirstError& error, const toml::table& table) {
                             .orifice_mm = number(section, range::kOrifice),
                             .mixing_tube_mm = number(section, range::kMixingTube),
                             .abrasive_g_min = number(section, range::kAbrasive),
-                            .abrasive_factor = number(section, kFactor)},
+                            .abrasive_factor = number(section, kAbrasiveFactor)},
                     .speed_mm_min = number(section, range::kSpeed),
                     .thickness_mm = number(section, range::kThickness),
                     .quality = number(section, range::kQuality)};
     check_tube(section, cut.jet.mixing_tube_mm, cut.jet.orifice_mm);
     const double machinability =
         machinability_of_cut(cut.jet, cut.speed_mm_min, cut.thickness_mm, cut.quality);
-    if (const auto error_message = range::kMachinability.find_error(machinability))
-        section.fail("speed_mm_min", fmt::format("such a cut cannot be: {}", *error_message));
+    if (const auto range_error = range::kMachinability.find_error(machinability))
+        section.fail("speed_mm_min", fmt::format("this cut is not possible: {}", range_error->message));
     return cut;
 }
 
@@ -208,7 +208,7 @@ std::vector<Material> read_material_list(FirstError& error, TomlSection& file) {
         materials.push_back(std::move(material));
         if (error.text()) return materials;
     }
-    if (materials.empty()) file.fail("material", "a materials file needs at least one [[material]]");
+    if (materials.empty()) file.fail("material", "a materials file requires at least one [[material]]");
     return materials;
 }
 
@@ -221,7 +221,7 @@ void check_references(FirstError& error, TomlSection& file, const Materials& all
         const toml::source_position where = tables[i]->get("like")->source().begin;
         const auto other = find_material(all, material.like);
         if (!other) {
-            error.report(where, other.error());
+            error.report(where, other.error().message);
         } else if (!(*other)->machinability) {
             error.report(where, fmt::format("'like' must name a material with a 'machinability'; {} has none",
                                             base::toml_string(material.like)));
@@ -254,7 +254,7 @@ Materials read_tables(FirstError& error, const toml::table& root) {
 
 }  // namespace
 
-tl::expected<Materials, std::string> read_materials(std::string_view toml_text, std::string_view file_name) {
+Result<Materials> read_materials(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
@@ -263,8 +263,8 @@ tl::expected<Materials, std::string> read_materials(std::string_view toml_text, 
     return materials;
 }
 
-tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path,
-                                                    os::NameSource name_source, const os::Files& files) {
+Result<Materials> load_materials(const std::filesystem::path& path, os::NameSource name_source,
+                                 const os::Files& files) {
     return files.read_text(path, name_source).and_then([&](const std::string& text) {
         return read_materials(text, path.string());
     });

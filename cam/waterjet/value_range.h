@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "cam/waterjet/cutting_speed.h"
 
 namespace gsim::waterjet {
@@ -16,10 +17,10 @@ struct ValueRange {
     double min = 0;
     double max = 0;
 
-    /// Returns a message if the value is out of range, or not a number.
-    std::optional<std::string> find_error(double value) const {
+    /// Returns an error if the value is out of range, or not a number.
+    std::optional<Error> find_error(double value) const {
         if (value >= min && value <= max) return std::nullopt;
-        return fmt::format("'{}' must be between {} and {}; it is {}", key, min, max, value);
+        return fmt::format("'{}' must be between {} and {}, not {}", key, min, max, value);
     }
 };
 

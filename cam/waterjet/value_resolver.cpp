@@ -4,15 +4,15 @@ namespace gsim::waterjet {
 
 std::string_view origin_name(Origin origin) {
     switch (origin) {
-        case Origin::record_input: return "given";
+        case Origin::from_request: return "given";
         case Origin::from_file: return "file";
         case Origin::inferred: return "inferred";
     }
     return "";
 }
 
-double ValueResolver::record_input(std::string_view name, std::string_view unit, double value) {
-    values_.push_back({name, unit, value, Origin::record_input, {}});
+double ValueResolver::from_request(std::string_view name, std::string_view unit, double value) {
+    values_.push_back({name, unit, value, Origin::from_request, {}});
     return value;
 }
 
@@ -22,7 +22,7 @@ double ValueResolver::from_file(std::string_view name, std::string_view unit, do
     return value;
 }
 
-double ValueResolver::inferred(std::string_view name, std::string_view unit, Inferred value) {
+double ValueResolver::inferred(std::string_view name, std::string_view unit, InferredValue value) {
     values_.push_back({name, unit, value.value, Origin::inferred, std::move(value.basis)});
     return value.value;
 }

@@ -9,7 +9,7 @@
 namespace gsim::waterjet {
 
 enum class Origin {
-    record_input,  ///< In the request for the plan.
+    from_request,  ///< In the request for the plan.
     from_file,     ///< In the materials file.
     inferred,      ///< From other values, by a rule.
 };
@@ -22,12 +22,12 @@ struct ResolvedValue {
     std::string_view name;  ///< As the option or key is called.
     std::string_view unit;  ///< Empty without a unit.
     double value = 0;
-    Origin origin = Origin::record_input;
+    Origin origin = Origin::from_request;
     std::string basis;  ///< Source of the inference, or the file's own source; may be empty.
 };
 
 /// The result of a rule from other values, and its description.
-struct Inferred {
+struct InferredValue {
     double value = 0;
     std::string basis;
 };
@@ -35,15 +35,15 @@ struct Inferred {
 /// A list that settles values one by one, from the best available source.
 class ValueResolver {
   public:
-    double record_input(std::string_view name, std::string_view unit, double value);
+    double from_request(std::string_view name, std::string_view unit, double value);
     double from_file(std::string_view name, std::string_view unit, double value, std::string basis);
-    double inferred(std::string_view name, std::string_view unit, Inferred value);
+    double inferred(std::string_view name, std::string_view unit, InferredValue value);
 
     /// Returns the given value; else that of the file; else the result of the rule `infer()` from others.
     template <typename Rule>
     double resolve(std::string_view name, std::string_view unit, const std::optional<double>& requested,
                    const std::optional<double>& file_value, Rule infer) {
-        if (requested) return record_input(name, unit, *requested);
+        if (requested) return from_request(name, unit, *requested);
         if (file_value) return from_file(name, unit, *file_value, {});
         return inferred(name, unit, infer());
     }

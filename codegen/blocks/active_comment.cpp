@@ -130,7 +130,7 @@ std::string_view trim_blanks(std::string_view text) {
     return text;
 }
 
-const ActiveComment* find_active(std::string_view name) {
+const ActiveComment* find_active_comment(std::string_view name) {
     for (const ActiveComment& active : kActiveComments) {
         if (name.starts_with(active.name)) return &active;
     }
@@ -139,30 +139,31 @@ const ActiveComment* find_active(std::string_view name) {
 
 }  // namespace
 
-std::optional<std::string> write_active_comment(std::string_view comment, std::string& out) {
+Result<void> write_active_comment(std::string_view comment, std::string& out) {
     comment = trim_blanks(comment);
-    const ActiveComment* active = find_active(text::upper(comment.substr(0, 12)));
-    if (active == nullptr) return std::nullopt;
+    const ActiveComment* active = find_active_comment(text::upper(comment.substr(0, 12)));
+    if (active == nullptr) return {};
     std::string_view text = comment.substr(active->name.size());
     if (active->needs_comma) {
-        if (!text.starts_with(',')) return std::nullopt;
+        if (!text.starts_with(',')) return {};
         text.remove_prefix(1);
     } else {
         text = trim_blanks(text);
     }
-    if (active->argument == ArgumentKind::none && !text.empty()) return std::nullopt;
+    if (active->argument == ArgumentKind::none && !text.empty()) return {};
     out += active->name;
     out += '(';
     if (active->argument == ArgumentKind::values) {
         const FormattedValues parts(text);
-        if (parts.count() > kMaxValues) return fmt::format("a comment shows at most {} values", kMaxValues);
+        if (parts.count() > kMaxValues)
+            return Unexpected(fmt::format("a comment can print at most {} values", kMaxValues));
         write_lua_string(parts.format(), out);
         out += parts.values();
     } else if (active->argument == ArgumentKind::text) {
         write_lua_string(text, out);
     }
     out += ") ";
-    return std::nullopt;
+    return {};
 }
 
 }  // namespace gsim::codegen

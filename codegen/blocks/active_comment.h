@@ -1,8 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/error.h"
 
 namespace gsim::codegen {
 
@@ -10,7 +11,7 @@ namespace gsim::codegen {
 /// (LOGAPPEND, file), (LOGCLOSE), (PROBEOPEN file), (PROBECLOSE), (ABORT, ..), and those for Python: (PY,
 /// ..), (PYRUN, file), (PYRELOAD). In DEBUG, PRINT, LOG and ABORT, #5 and #<name> mean values, and %d, %f and
 /// %.4f set the format of the values after them. Appends the call of the library and a blank; appends no text
-/// for any other comment. The error is a message.
-std::optional<std::string> write_active_comment(std::string_view comment, std::string& out);
+/// for any other comment.
+Result<void> write_active_comment(std::string_view comment, std::string& out);
 
 }  // namespace gsim::codegen

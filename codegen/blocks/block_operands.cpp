@@ -17,21 +17,22 @@ constexpr std::string_view kModalMotionLetters = "LPQR";
 
 }  // namespace
 
-/// In RS274/NGC a word belongs to every code that reads it: P of `G64 P2 M19 R90` is the tolerance and the
-/// direction.
+/// Shared words belong to every code that reads them: in `G64 P2 M19 R90` of RS274/NGC P is the tolerance and
+/// the direction.
 bool BlockPlan::belongs_to_call(const Block& block, std::uint32_t word, std::uint32_t call) const {
     if (owners_[word] == static_cast<std::int32_t>(call)) return true;
     const Word& shared = block.text->words[word];
     const Code* code = calls_[call].code;
-    return lexer_.is_ngc() && owners_[word] != kUnowned && code != nullptr && !is_axis(shared) &&
-           accepts(*code, shared.address);
+    return dialect_.rules().blocks.shared_words && owners_[word] != kUnowned && code != nullptr &&
+           !is_axis(shared) && accepts(*code, shared.address);
 }
 
 /// The modal motion is known only at run time. So it is not known before if this word, which arcs and cycles
 /// read, belongs to it.
 bool BlockPlan::is_shared(const Block& block, std::uint32_t word, std::uint32_t call) const {
     const Word& shared = block.text->words[word];
-    return lexer_.is_ngc() && calls_[call].kind == Call::Kind::move && owners_[word] != kUnowned &&
+    return dialect_.rules().blocks.shared_words && calls_[call].kind == Call::Kind::move &&
+           owners_[word] != kUnowned &&
            kModalMotionLetters.find(table_letter(shared.address)) != std::string_view::npos &&
            !belongs_to_call(block, word, call);
 }

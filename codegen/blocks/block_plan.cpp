@@ -80,18 +80,18 @@ std::string_view lua_key(Address address) {
 
 bool BlockPlan::fail(const Block& block, std::uint32_t word, DiagnosticKind kind, const std::string& message,
                      const std::string& hint) {
-    lexer_.fail(block.text->words[word].column, kind, message, hint);
+    errors_.fail(block.text->words[word].column, kind, message, hint);
     return false;
 }
 
 bool BlockPlan::is_axis(const Word& word) const {
     if (lexer::is_axis_letter(word.address)) return true;
     const bool either = word.address == 'X' || word.address == 'U';
-    return either && (lexer_.is_ngc() || word.role == Role::axis);
+    return either && (!dialect_.text().ambiguous_words || word.role == Role::axis);
 }
 
 bool BlockPlan::is_allowed_with_move(Address address) const {
-    return dialect_.rules().move_words.find(table_letter(address)) != std::string_view::npos;
+    return dialect_.rules().blocks.move_words.find(table_letter(address)) != std::string_view::npos;
 }
 
 bool BlockPlan::plan(const Block& block) {
@@ -114,7 +114,7 @@ bool BlockPlan::plan(const Block& block) {
         calls_.assign(1, call);
         return true;
     }
-    if (!choose_axis_owner(block) || !assign_words(block) || !check_all_needs(block)) return false;
+    if (!choose_axis_owner(block) || !assign_words(block) || !check_all_required_words(block)) return false;
     gather_operands(block);
     drop_ineffective_one_shots(block);
     sort_calls();
@@ -136,11 +136,12 @@ bool BlockPlan::check_group(const Block& block, const Code& code, std::uint32_t 
         const std::string other = motion ? "CIP" : grammar::code_name(*call.code);
         if (call.code == &code)
             return fail(block, index, DiagnosticKind::word_twice,
-                        fmt::format("{} stands twice in the block", other));
+                        fmt::format("{} is given twice in the block", other));
         if (group != Group::none && group == code.group) {
-            return fail(block, index, DiagnosticKind::code_conflict,
-                        fmt::format("{} and {} are of one modal group ({}); a block takes one of them", other,
-                                    grammar::code_name(code), grammar::name(group)));
+            return fail(
+                block, index, DiagnosticKind::code_conflict,
+                fmt::format("{} and {} are in one modal group ({}); a block may have only one of them", other,
+                            grammar::code_name(code), grammar::name(group)));
         }
     }
     return true;
@@ -148,25 +149,26 @@ bool BlockPlan::check_group(const Block& block, const Code& code, std::uint32_t 
 
 /// Suggests a fix for a missing code.
 std::string BlockPlan::hint(const Word& word) const {
-    for (const grammar::Dialect* other : {&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()}) {
+    for (const grammar::Dialect* other : grammar::dialects()) {
+        if (other->text().form != lexer::TextForm::blocks) continue;
         const Code* code = other->find(static_cast<char>(word.address), word.code_x10);
         if (other != &dialect_ && code != nullptr && code->group != Group::user)
-            return fmt::format("{} has it ({}), see --dialect {}", other->title(), code->meaning,
+            return fmt::format("{} supports it ({}), see --dialect {}", other->title(), code->meaning,
                                other->name());
     }
     const Code* base_code = dialect_.find(static_cast<char>(word.address), word.code_x10 / 10 * 10);
     return word.code_x10 > 0 && base_code != nullptr
-               ? fmt::format("there is {} ({})", grammar::code_name(*base_code), base_code->meaning)
+               ? fmt::format("{} ({}) exists", grammar::code_name(*base_code), base_code->meaning)
                : "";
 }
 
 /// It acts in the phase of most codes without words: with the modal settings, or with the switches.
 bool BlockPlan::add_computed_code(const Block& block, std::uint32_t index) {
     const Word& word = block.text->words[index];
-    if (!lexer_.is_ngc()) {
+    if (!dialect_.rules().blocks.computed_codes) {
         return fail(
             block, index, DiagnosticKind::code_unsupported,
-            fmt::format("the number of a {} code must be written out; a computed one is not supported",
+            fmt::format("the number of a {} code must be a constant; a computed number is not supported",
                         static_cast<char>(word.address)));
     }
     Call call;
@@ -195,7 +197,7 @@ bool BlockPlan::add_code(const Block& block, std::uint32_t index) {
             return true;
         }
         return fail(block, index, DiagnosticKind::code_unknown,
-                    fmt::format("{} is no code of {}", name, dialect_.title()), hint(word));
+                    fmt::format("{} is not a code of {}", name, dialect_.title()), hint(word));
     }
     if (code->support == Support::planned) {
         return fail(block, index, DiagnosticKind::code_unsupported,
@@ -221,7 +223,7 @@ bool BlockPlan::collect_codes(const Block& block) {
                 const bool motion = other.kind == Call::Kind::via_point || other.code->group == Group::motion;
                 if (motion)
                     return fail(block, i, DiagnosticKind::code_conflict,
-                                "CIP stands with another motion code; a block takes one of them");
+                                "CIP is given with another motion code; a block may have only one of them");
             }
             Call call;
             call.kind = Call::Kind::via_point;
@@ -232,15 +234,15 @@ bool BlockPlan::collect_codes(const Block& block) {
     return true;
 }
 
-/// Returns true if two calls that use axis words cannot share a block. The 9/Series assigns the words to the
-/// code that has them as its data, and makes the motion modal. In RS274/NGC such a code must be without a
-/// motion, except for the tool offset of a block without axis words.
+/// Returns true if two calls that use axis words cannot share a block: two codes that have them as their
+/// data, and with BlockRules::data_excludes_motion such a code and a motion, except for the tool offset of
+/// a block without axis words.
 bool BlockPlan::report_conflict(const Block& block, const Call& a, const Call& b) const {
-    const bool a_is_data = axis_use(a) == AxisUse::data, b_is_data = axis_use(b) == AxisUse::data;
-    if (a_is_data && b_is_data) return true;
-    if (!lexer_.is_ngc()) return false;
+    const bool is_a_data = axis_use(a) == AxisUse::data, b_is_data = axis_use(b) == AxisUse::data;
+    if (is_a_data && b_is_data) return true;
+    if (!dialect_.rules().blocks.data_excludes_motion) return false;
     const std::vector<Word>& words = block.text->words;
-    return (a_is_data ? a : b).code->group != Group::tool_length ||
+    return (is_a_data ? a : b).code->group != Group::tool_length ||
            std::any_of(words.begin(), words.end(), [&](const Word& word) { return is_axis(word); });
 }
 
@@ -253,7 +255,7 @@ bool BlockPlan::choose_axis_owner(const Block& block) {
             const Call& owner = calls_[static_cast<std::size_t>(axis_owner_)];
             if (report_conflict(block, owner, call)) {
                 return fail(block, call.word, DiagnosticKind::code_conflict,
-                            fmt::format("{} and {} both take the axis words of the block",
+                            fmt::format("{} and {} both use the axis words of the block",
                                         grammar::code_name(*owner.code), grammar::code_name(*call.code)));
             }
         }
@@ -314,7 +316,7 @@ bool BlockPlan::assign(const Block& block, std::uint32_t index) {
     if (owners_[index] != kUnowned) return true;
     if (is_corner_word(word.address) && !may_have_corner()) return fail_with_motion(block, index);
     const bool standalone =
-        dialect_.rules().standalone.find(table_letter(word.address)) != std::string_view::npos;
+        dialect_.rules().blocks.standalone.find(table_letter(word.address)) != std::string_view::npos;
     if (standalone || is_corner_word(word.address)) {
         Call call;
         call.kind = Call::Kind::letter;
@@ -329,7 +331,7 @@ bool BlockPlan::assign(const Block& block, std::uint32_t index) {
     const bool moves = is_axis(word) || (is_allowed_with_move(word.address) && has_target(block));
     if (!moves) {
         return fail(block, index, DiagnosticKind::word_out_of_place,
-                    fmt::format("{} has no meaning in this block: no code of the block takes it",
+                    fmt::format("{} has no meaning in this block: no code of the block uses it",
                                 lexer::address_name(word.address)));
     }
     Call call;
@@ -354,7 +356,7 @@ bool BlockPlan::assign_words(const Block& block) {
             owners_[i] == kUnowned ? nullptr : calls_[static_cast<std::size_t>(owners_[i])].code;
         if (twice && !accepts_repeated(owner, address))
             return fail(block, i, DiagnosticKind::word_twice,
-                        fmt::format("{} stands twice in the block", lexer::address_name(address)));
+                        fmt::format("{} is given twice in the block", lexer::address_name(address)));
     }
     const bool corner = std::any_of(words.begin(), words.end(),
                                     [](const Word& word) { return is_corner_word(word.address); });
@@ -374,7 +376,7 @@ void BlockPlan::drop_ineffective_one_shots(const Block& block) {
         if (call.phase != Phase::one_shot || call.kind != Call::Kind::code) return false;
         diagnostics_.warning(
             block.text->at(block.text->words[call.word].column), DiagnosticKind::code_idle,
-            fmt::format("{} does nothing in a block without a move", grammar::code_name(*call.code)));
+            fmt::format("{} has no effect in a block without a move", grammar::code_name(*call.code)));
         return true;
     });
 }

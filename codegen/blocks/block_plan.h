@@ -9,7 +9,7 @@
 #include "codegen/blocks/unknown_codes.h"
 #include "grammar/dialect.h"
 #include "grammar/syntax.h"
-#include "lexer/lexer.h"
+#include "lexer/block_errors.h"
 
 namespace gsim::codegen {
 
@@ -39,9 +39,9 @@ class BlockPlan {
   public:
     /// Makes a plan; all arguments must outlive it. Codes that the dialect does not have are passed to
     /// `unknown`, if given, and are left out; else they are errors.
-    BlockPlan(const grammar::Dialect& dialect, lexer::Lexer& lexer, lexer::Diagnostics& diagnostics,
+    BlockPlan(const grammar::Dialect& dialect, lexer::BlockErrors& errors, lexer::Diagnostics& diagnostics,
               UnknownCodes* unknown)
-        : dialect_(dialect), lexer_(lexer), diagnostics_(diagnostics), unknown_(unknown) {}
+        : dialect_(dialect), errors_(errors), diagnostics_(diagnostics), unknown_(unknown) {}
 
     const grammar::Dialect& dialect() const { return dialect_; }
     /// Defers codes that the dialect does not have: from here on such a code becomes an alarm of the run
@@ -66,7 +66,7 @@ class BlockPlan {
 
     bool is_axis(const lexer::Word& word) const;
     std::string hint(const lexer::Word& word) const;
-    std::uint64_t need_bits(const lexer::Word& word) const;
+    std::uint64_t required_word_bits(const lexer::Word& word) const;
     bool is_allowed_with_move(lexer::Address address) const;
     bool plan_axis_words(const grammar::Block& block);
     bool plan_single_motion(const grammar::Block& block);
@@ -85,8 +85,8 @@ class BlockPlan {
     bool fail_with_motion(const grammar::Block& block, std::uint32_t index);
     bool assign(const grammar::Block& block, std::uint32_t index);
     std::int32_t find_owner(const lexer::Word& word) const;
-    bool check_needs(const grammar::Block& block, const Call& call, std::uint64_t addresses);
-    bool check_all_needs(const grammar::Block& block);
+    bool check_required_words(const grammar::Block& block, const Call& call, std::uint64_t addresses);
+    bool check_all_required_words(const grammar::Block& block);
     bool check_single_call(const grammar::Block& block, const Call& call);
     void gather_operands(const grammar::Block& block);
     void sort_calls();
@@ -95,7 +95,7 @@ class BlockPlan {
               const std::string& message, const std::string& hint = {});
 
     const grammar::Dialect& dialect_;
-    lexer::Lexer& lexer_;
+    lexer::BlockErrors& errors_;
     lexer::Diagnostics& diagnostics_;
     UnknownCodes* unknown_;
     UnknownCodes* deferred_codes_ = nullptr;
@@ -104,8 +104,8 @@ class BlockPlan {
     bool skips_words_ = false;  ///< An M code that is left out, with words that no other code uses.
     std::vector<Call> calls_;
     std::vector<std::uint32_t> operands_;
-    std::vector<std::int32_t> owners_;  // by word: index of its call, or -1
-    std::vector<std::uint64_t> needs_;  // by call: need_bits() of its words
+    std::vector<std::int32_t> owners_;      // by word: index of its call, or -1
+    std::vector<std::uint64_t> word_bits_;  // by call: required_word_bits() of its words
     std::int32_t axis_owner_ = -1;
 };
 

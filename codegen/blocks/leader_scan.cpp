@@ -33,11 +33,12 @@ class LeaderFinder : public grammar::BlockSink {
 
 }  // namespace
 
-std::uint32_t leader_lines(lexer::Source& source, const lexer::Aliases& aliases, lexer::Style style) {
-    if (style != lexer::Style::ab9) return 0;  // an error in RS274/NGC, as in LinuxCNC
+std::uint32_t leader_lines(lexer::Source& source, const lexer::Aliases& aliases,
+                           const lexer::TextRules& rules) {
+    if (!rules.tape_leader) return 0;
     lexer::Diagnostics diagnostics(source, std::numeric_limits<std::size_t>::max(),
                                    [](const text::Diagnostic&) {});
-    lexer::Lexer lexer(source, diagnostics, aliases, style);
+    lexer::Lexer lexer(source, diagnostics, aliases, rules);
     LeaderFinder finder;
     grammar::Parser(lexer, diagnostics, finder).run_until([&] { return finder.done(); });
     source.rewind();

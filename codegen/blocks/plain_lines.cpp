@@ -8,7 +8,7 @@ namespace gsim::codegen {
 
 namespace {
 
-constexpr std::size_t kLookedAt = std::size_t{256} << 10U;
+constexpr std::size_t kMaxInspectedBytes = std::size_t{256} << 10U;
 
 bool is_capital(char c) {
     return c >= 'A' && c <= 'Z';
@@ -30,7 +30,7 @@ std::string strip_comments(std::string_view line) {
 
 PlainLines::PlainLines(lexer::Source& source) {
     source.rewind();
-    bytes_.resize(std::min<std::uint64_t>(source.size(), kLookedAt));
+    bytes_.resize(std::min<std::uint64_t>(source.size(), kMaxInspectedBytes));
     std::size_t done = 0;
     while (done < bytes_.size()) {
         const std::size_t count = source.read(bytes_.data() + done, bytes_.size() - done);

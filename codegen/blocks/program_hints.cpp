@@ -25,7 +25,7 @@ struct DialectFeature {
 constexpr std::string_view kNgcName = "rs274ngc";
 constexpr std::string_view kAb9Name = "ab9";
 constexpr std::string_view kNgcTitle = "RS274/NGC (LinuxCNC)";
-constexpr std::string_view kAb9Title = "the 9/Series (and its relatives, as Fanuc and Haas)";
+constexpr std::string_view kAb9Title = "the 9/Series (and related controllers, such as Fanuc and Haas)";
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" \t\r");
@@ -33,7 +33,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
-std::string blanks_removed(std::string_view text) {
+std::string without_blanks(std::string_view text) {
     std::string out;
     std::copy_if(text.begin(), text.end(), std::back_inserter(out),
                  [](char c) { return c != ' ' && c != '\t' && c != '\r'; });
@@ -96,14 +96,14 @@ std::optional<DialectFeature> ab9_feature(std::string_view line) {
     if (has_numbered(line, "M98P")) return DialectFeature{"M98 P", kAb9Name, kAb9Title, false};
     // A program's number, by itself.
     if (line.size() > 1 && line.front() == 'O' && text_after_o(line).empty() && text::is_digit(line[1]))
-        return DialectFeature{"O with a program's number", kAb9Name, kAb9Title, false};
+        return DialectFeature{"O with a program number", kAb9Name, kAb9Title, false};
     return std::nullopt;
 }
 
 // Returns a feature of a language that is no G-code.
 std::optional<DialectFeature> foreign_feature(std::string_view line) {
     if (line.find("BEGIN PGM") != std::string_view::npos)
-        return DialectFeature{"BEGIN PGM", "", "Heidenhain's own language"};
+        return DialectFeature{"BEGIN PGM", "", "the language of Heidenhain"};
     for (const std::string_view word : {"DEF REAL", "DEF INT", "MSG(\"", "MCALL ", "CYCLE800", "CYCLE832"}) {
         if (line.find(word) != std::string_view::npos)
             return DialectFeature{word, "", "the language of Sinumerik"};
@@ -116,23 +116,23 @@ text::Diagnostic make_note(const lexer::Source& source, std::uint32_t line, cons
             .kind = text::DiagnosticKind::dialect,
             .file = source.name(),
             .line = line,
-            .text = fmt::format("{} is of {}", feature.text, feature.language),
-            .hint = feature.dialect.empty() ? std::string("gsim does not read it")
+            .text = fmt::format("{} belongs to {}", feature.text, feature.language),
+            .hint = feature.dialect.empty() ? std::string("gsim does not support it")
                                             : fmt::format("try --dialect {}", feature.dialect)};
 }
 
 /// Statistics of the numbers of a program.
 struct NumberStatistics {
     int coordinates = 0;
-    int fine = 0;           // coordinates with three or four decimals
-    int four_decimals = 0;  // with four
-    int more_decimals = 0;  // with more
+    int fine = 0;                 // coordinates with three or four decimals
+    int four_decimals_count = 0;  // with four
+    int more_decimals_count = 0;  // with more
     double extent = 0;
     double max_feed = 0;
     bool has_unit = false;
 
     void add_word(const PlainWord& word);
-    bool look_like_inches() const;
+    bool looks_like_inches() const;
 };
 
 void NumberStatistics::add_word(const PlainWord& word) {
@@ -146,39 +146,39 @@ void NumberStatistics::add_word(const PlainWord& word) {
     ++coordinates;
     extent = std::max(extent, std::abs(word.value));
     if (word.decimals == kCoarseDecimals || word.decimals == kFineDecimals) ++fine;
-    if (word.decimals == kFineDecimals) ++four_decimals;
-    if (word.decimals > kFineDecimals) ++more_decimals;
+    if (word.decimals == kFineDecimals) ++four_decimals_count;
+    if (word.decimals > kFineDecimals) ++more_decimals_count;
 }
 
-bool NumberStatistics::look_like_inches() const {
+bool NumberStatistics::looks_like_inches() const {
     constexpr double kMaxInchFeed = 100;  // in/min; few mills cut so slowly in mm/min
     constexpr double kSmallExtent = 10;
     constexpr double kMediumExtent = 40;
     constexpr int kMinFineCount = 3;
     constexpr int kFineFraction = 4;
-    if (has_unit || more_decimals > 0 || max_feed <= 0 || max_feed > kMaxInchFeed) return false;
+    if (has_unit || more_decimals_count > 0 || max_feed <= 0 || max_feed > kMaxInchFeed) return false;
     return (extent <= kSmallExtent && fine >= kMinFineCount) ||
-           (extent <= kMediumExtent && four_decimals >= kMinFineCount &&
-            four_decimals * kFineFraction >= coordinates);
+           (extent <= kMediumExtent && four_decimals_count >= kMinFineCount &&
+            four_decimals_count * kFineFraction >= coordinates);
 }
 
 }  // namespace
 
 std::optional<text::Diagnostic> find_dialect_hint(lexer::Source& source,
                                                   const grammar::Dialect& current_dialect) {
-    if (current_dialect.rules().style == lexer::Style::command_lines) return std::nullopt;
-    const bool as_ngc = current_dialect.name() == kNgcName;
+    if (current_dialect.text().form == lexer::TextForm::command_lines) return std::nullopt;
+    const bool has_o_words = current_dialect.text().has_o_words;
     std::optional<text::Diagnostic> uncertain_note;
     bool has_native_feature = false;
     PlainLines lines(source);
     while (lines.next()) {
         const std::string_view line = trimmed(lines.text());
-        const std::string compacted = blanks_removed(line);
+        const std::string compacted = without_blanks(line);
         std::optional<DialectFeature> feature = foreign_feature(line);
-        if (!feature) feature = as_ngc ? ab9_feature(compacted) : ngc_feature(compacted);
+        if (!feature) feature = has_o_words ? ab9_feature(compacted) : ngc_feature(compacted);
         if (feature && feature->is_exclusive) return make_note(source, lines.number(), *feature);
         const std::optional<DialectFeature> detected =
-            as_ngc ? ngc_feature(compacted) : ab9_feature(compacted);
+            has_o_words ? ngc_feature(compacted) : ab9_feature(compacted);
         has_native_feature = has_native_feature || (detected && detected->is_exclusive);
         if (feature && !uncertain_note) uncertain_note = make_note(source, lines.number(), *feature);
     }
@@ -192,16 +192,16 @@ std::optional<text::Diagnostic> find_inch_hint(lexer::Source& source) {
         PlainWords words(lines.text());
         while (words.next()) numbers.add_word(words.word());
     }
-    if (!numbers.look_like_inches()) return std::nullopt;
+    if (!numbers.looks_like_inches()) return std::nullopt;
     return text::Diagnostic{
         .severity = text::Severity::warning,
         .kind = text::DiagnosticKind::units,
         .file = source.name(),
         .text =
-            fmt::format("the program says neither G20 nor G21 and is read in mm, but looks like inches: its "
-                        "coordinates are within {:.6g}, with up to {} decimals, its feeds within {:.6g}",
-                        numbers.extent, numbers.four_decimals > 0 ? 4 : 3, numbers.max_feed),
-        .hint = "say G20 or G21, or units = \"inch\" or \"mm\" under [program] in the machine file"};
+            fmt::format("the program has neither G20 nor G21 and is read in mm, but seems to be in inches: "
+                        "its coordinates are within {:.6g}, with up to {} decimals, its feeds within {:.6g}",
+                        numbers.extent, numbers.four_decimals_count > 0 ? 4 : 3, numbers.max_feed),
+        .hint = "add G20 or G21, or set units = \"inch\" or \"mm\" under [program] in the machine file"};
 }
 
 }  // namespace gsim::codegen

@@ -10,7 +10,7 @@ void UnknownCodes::report(lexer::Diagnostics& diagnostics, std::string_view dial
                           std::string_view consequence) const {
     for (const auto& [code, entry] : codes_) {
         diagnostics.warning(entry.first, DiagnosticKind::code_unknown,
-                            fmt::format("{} is no code of {}; {} ({} in all)", code, dialect_title,
+                            fmt::format("{} is not a code of {}; {} ({} in total)", code, dialect_title,
                                         consequence, entry.count));
     }
 }

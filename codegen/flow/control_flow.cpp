@@ -43,7 +43,7 @@ bool ControlFlow::open_loop(const Block& block) {
         if (loop.number == block.loop) {
             diagnostics_.error(
                 location, DiagnosticKind::structure,
-                fmt::format("DO {} is open already, since line {}; nested loops take different numbers",
+                fmt::format("DO {} is already open since line {}; nested loops must have different numbers",
                             block.loop, loop.location.line));
             return false;
         }
@@ -74,7 +74,7 @@ bool ControlFlow::close_loop(const Block& block) {
     if (too_long)
         diagnostics_.error(
             loop.location, DiagnosticKind::too_large,
-            fmt::format("the loop up to line {} is too long for Lua; put its body into a subprogram",
+            fmt::format("the loop up to line {} is too long for Lua; move its body to a subprogram",
                         location.line));
     loops_.pop_back();
     return !too_long;
@@ -85,7 +85,7 @@ void ControlFlow::add_jump(std::uint32_t target, const Location& location) {
         if (!too_many_jumps_)
             diagnostics_.error(
                 location, DiagnosticKind::too_large,
-                fmt::format("the program has more than {} GOTOs, which Lua cannot hold in one function",
+                fmt::format("the program has more than {} GOTOs, which exceeds the limit of one Lua function",
                             kMaxJumps));
         too_many_jumps_ = true;
         return;
@@ -116,15 +116,16 @@ bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
     if (labels_.size() == kMaxLabels) {
         if (!too_many_labels_)
             diagnostics_.error(location, DiagnosticKind::too_large,
-                               fmt::format("the program has more than {} blocks that a GOTO may "
-                                           "mean, which Lua cannot label in one function",
+                               fmt::format("the program has more than {} blocks that a GOTO may target, "
+                                           "which exceeds the limit of one Lua function",
                                            kMaxLabels));
         too_many_labels_ = true;
         return false;
     }
     if (!labels_.try_emplace(number, Label{path(), weight_}).second) {
-        diagnostics_.error(location, DiagnosticKind::jump,
-                           fmt::format("N{} stands twice in this program, and a GOTO leads to it", number));
+        diagnostics_.error(
+            location, DiagnosticKind::jump,
+            fmt::format("N{} is defined twice in this program, and a GOTO jumps to it", number));
         return false;
     }
     (loops_.empty() ? reachable_ : loops_.back().numbers).push_back(number);
@@ -135,8 +136,9 @@ bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
 void ControlFlow::check(const Jump& jump) {
     const auto found = labels_.find(jump.target);
     if (found == labels_.end()) {
-        diagnostics_.error(jump.location, DiagnosticKind::jump,
-                           fmt::format("GOTO {}: there is no N{} in this program", jump.target, jump.target));
+        diagnostics_.error(
+            jump.location, DiagnosticKind::jump,
+            fmt::format("GOTO {}: N{} does not exist in this program", jump.target, jump.target));
         return;
     }
     const Label& label = found->second;
@@ -144,11 +146,11 @@ void ControlFlow::check(const Jump& jump) {
                         std::equal(label.path.begin(), label.path.end(), jump.path.begin());
     if (!inside) {
         diagnostics_.error(jump.location, DiagnosticKind::jump,
-                           fmt::format("GOTO {} leads into a WHILE loop from outside", jump.target));
+                           fmt::format("GOTO {} jumps into a WHILE loop from outside", jump.target));
     } else if (std::max(label.weight, jump.weight) - std::min(label.weight, jump.weight) > kMaxJumpWeight) {
         diagnostics_.error(
             jump.location, DiagnosticKind::too_large,
-            fmt::format("GOTO {} leads too far away for Lua; put what it jumps over into a subprogram",
+            fmt::format("GOTO {} jumps too far for Lua; move the skipped blocks to a subprogram",
                         jump.target));
     }
 }

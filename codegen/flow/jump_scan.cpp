@@ -22,16 +22,17 @@ class JumpFinder {
   public:
     /// Returns true once one of them has come.
     bool find(const char* text, std::size_t size) {
-        if (matched_ == 0 && !after_m_ && !may_hold_jump(text, size)) {
-            matched_ = (text[size - 1] & ~0x20) == 'G' ? 1 : 0;  // its O may come next
+        if (matched_length_ == 0 && !is_after_m_ && !may_contain_jump(text, size)) {
+            matched_length_ = (text[size - 1] & ~0x20) == 'G' ? 1 : 0;  // its O may come next
             return false;
         }
         for (std::size_t i = 0; i < size; ++i) {
             const char c = text[i];
             const char letter = static_cast<char>(c & ~0x20);
-            matched_ = letter == kWord[matched_] ? matched_ + 1 : (letter == 'G' ? 1 : 0);
-            if (matched_ == kWord.size() || (after_m_ && c == '9' && last_ == '9')) return true;
-            if (kBetween.find(c) == std::string_view::npos) after_m_ = letter == 'M';
+            matched_length_ =
+                letter == kWord[matched_length_] ? matched_length_ + 1 : (letter == 'G' ? 1 : 0);
+            if (matched_length_ == kWord.size() || (is_after_m_ && c == '9' && last_ == '9')) return true;
+            if (kBetween.find(c) == std::string_view::npos) is_after_m_ = letter == 'M';
             last_ = c;
         }
         return false;
@@ -42,16 +43,16 @@ class JumpFinder {
     static constexpr std::string_view kBetween = "09+ \t\r\v\f";  ///< Between M and 99.
 
     /// A tool path has long parts without any of these letters.
-    static bool may_hold_jump(const char* text, std::size_t size) {
+    static bool may_contain_jump(const char* text, std::size_t size) {
         for (const char letter : {'O', 'o', 'M', 'm'}) {
             if (std::memchr(text, letter, size) != nullptr) return true;
         }
         return false;
     }
 
-    std::size_t matched_ = 0;
+    std::size_t matched_length_ = 0;
     char last_ = 0;
-    bool after_m_ = false;
+    bool is_after_m_ = false;
 };
 
 bool mentions_jump(lexer::Source& source) {
@@ -85,7 +86,7 @@ class JumpCollector : public grammar::BlockSink {
     }
 
     /// To be called at the end.
-    void share_returns() {
+    void set_returns_to_blocks() {
         for (ProgramJumps& jumps : scan_.jumps) jumps.returns_to_blocks = returns_to_blocks_;
     }
 
@@ -149,29 +150,29 @@ const ProgramJumps& FileScan::program(std::size_t ordinal) const {
     return ordinal < jumps.size() ? jumps[ordinal] : kNoJumps;
 }
 
-FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::Style style) {
+FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, const grammar::Dialect& dialect) {
     FileScan scan;
-    scan.leader_lines = leader_lines(source, aliases, style);
+    scan.leader_lines = leader_lines(source, aliases, dialect.text());
     const auto ignore_diagnostic = [](const text::Diagnostic&) {};
     constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
     {
         lexer::Diagnostics diagnostics(source, kNoLimit, ignore_diagnostic);
-        lexer::Lexer lexer(source, diagnostics, aliases, style);
-        lexer.skip_leader(scan.leader_lines);
+        lexer::Lexer lexer(source, diagnostics, aliases, dialect.text());
+        lexer.extent().skip_leader(scan.leader_lines);
         FirstBlock first;
         grammar::Parser(lexer, diagnostics, first).run_until([&] { return first.done(); });
         scan.starts_with_part = first.begins_part();
         source.rewind();
     }
     const bool return_alias = aliases.has_alias_of('M', kReturnCode / 10);
-    if (style == lexer::Style::ab9 && (return_alias || mentions_jump(source))) {
+    if (dialect.rules().has_block_jumps && (return_alias || mentions_jump(source))) {
         source.rewind();
         lexer::Diagnostics diagnostics(source, kNoLimit, ignore_diagnostic);
-        lexer::Lexer lexer(source, diagnostics, aliases, style);
-        lexer.skip_leader(scan.leader_lines);
+        lexer::Lexer lexer(source, diagnostics, aliases, dialect.text());
+        lexer.extent().skip_leader(scan.leader_lines);
         JumpCollector collector(scan);
         grammar::Parser(lexer, diagnostics, collector).run();
-        collector.share_returns();
+        collector.set_returns_to_blocks();
     }
     source.rewind();
     return scan;

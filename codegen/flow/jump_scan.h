@@ -4,9 +4,9 @@
 #include <set>
 #include <vector>
 
+#include "grammar/dialect.h"
 #include "lexer/alias.h"
 #include "lexer/source.h"
-#include "lexer/style.h"
 
 namespace gsim::codegen {
 
@@ -30,6 +30,6 @@ struct FileScan {
 };
 
 /// Reads the source once from its start, and rewinds it. Leaves errors in the program to the second reading.
-FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::Style style);
+FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, const grammar::Dialect& dialect);
 
 }  // namespace gsim::codegen

@@ -21,7 +21,6 @@ using lexer::Word;
 
 namespace {
 
-constexpr std::size_t kMaxCalledPrograms = 10000;
 constexpr std::uint64_t kInstructionsPerCase = 4;  // an upper bound of what Lua's compiler makes of one
 
 }  // namespace
@@ -33,7 +32,7 @@ void LuaWriter::declare_jump(std::string& line) const {
 
 /// Writes M99 P in the main program as a jump to one of its blocks. Returns false if it has no P.
 bool LuaWriter::write_return_goto(const Block& block, const Call& call) {
-    if (call.operand_count == 0 || lexer_.is_ngc()) return false;
+    if (call.operand_count == 0 || !plan_.dialect().rules().has_block_jumps) return false;
     const Word& word = block.text->words[plan_.operands(call).front()];
     if (word.expression >= 0) {
         code_ += "jump = goto_target(";
@@ -55,8 +54,8 @@ std::optional<std::uint32_t> LuaWriter::block_number(const Block& block, lexer::
     const std::string number = all_digits(digits) ? normalized_number(digits) : "";
     std::uint32_t value = 0;
     if (number.empty() || number.size() > 9) {
-        lexer_.fail(column, DiagnosticKind::jump,
-                    fmt::format("a jump leads to a block number, not to {}", digits));
+        errors_.fail(column, DiagnosticKind::jump,
+                     fmt::format("the target of a jump must be a block number, not {}", digits));
         return std::nullopt;
     }
     std::from_chars(number.data(), number.data() + number.size(), value);
@@ -70,15 +69,14 @@ void LuaWriter::record_call(const Block& block, const Call& call) {
         const std::string_view digits = block.text->view(word.number);
         const std::string number = all_digits(digits) ? normalized_number(digits) : "";
         if (number.empty() || number.size() > 9) {
-            lexer_.fail(word.column, DiagnosticKind::number,
-                        fmt::format("{} of M98 is a whole number, not {}", lexer::address_name(word.address),
-                                    digits));
+            errors_.fail(word.column, DiagnosticKind::number,
+                         fmt::format("{} of M98 must be an integer, not {}",
+                                     lexer::address_name(word.address), digits));
             return;
         }
         std::uint32_t value = 0;
         std::from_chars(number.data(), number.data() + number.size(), value);
-        if (word.address == 'P' && called_.size() < kMaxCalledPrograms)
-            called_.try_emplace(value, block.text->at(word.column));
+        if (word.address == 'P') names_.add_call(value, block.text->at(word.column));
     }
 }
 

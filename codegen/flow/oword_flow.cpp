@@ -88,7 +88,7 @@ void OWordFlow::write(const Block& block, std::uint64_t weight, std::string& out
 
 void OWordFlow::open_structure(const Block& block, std::string& out) {
     if (block.flow == Flow::sub && open())
-        fail(block, "a subroutine cannot begin inside of another one or of a control structure");
+        fail(block, "a subroutine must not begin inside another one or inside a control structure");
     if (levels() + nesting_levels(block.flow) > kMaxLevels)
         fail(block, "O-words are nested too deep for Lua");
     switch (block.flow) {
@@ -138,7 +138,7 @@ bool OWordFlow::close_structure(const Block& block, Flow kind, std::string& out)
 void OWordFlow::check_length(const Structure& structure, const lexer::Location& end) {
     if (structure.kind == Flow::sub || weight_ - structure.weight <= kMaxJumpWeight) return;
     diagnostics_.error(structure.location, DiagnosticKind::too_large,
-                       fmt::format("o{} {} up to line {} is too long for Lua; put its body into a subroutine",
+                       fmt::format("o{} {} up to line {} is too long for Lua; move its body to a subroutine",
                                    structure.name, keyword(structure.kind), end.line));
 }
 
@@ -155,10 +155,10 @@ void OWordFlow::write_sub_end(const Block& block, std::string& out) {
 
 void OWordFlow::write_else(const Block& block, std::string& out) {
     if (open_.empty() || open_.back().kind != Flow::if_ || open_.back().name != program_name(block)) {
-        fail(block, fmt::format("there is no o{} if open that this could belong to", program_name(block)));
+        fail(block, fmt::format("there is no open o{} if for this word", program_name(block)));
         return;
     }
-    if (open_.back().has_else) fail(block, "nothing but endif comes behind else");
+    if (open_.back().has_else) fail(block, "only endif may follow else");
     if (block.flow == Flow::else_) {
         open_.back().has_else = true;
         out += "else ";
@@ -236,7 +236,7 @@ bool OWordFlow::inside_sub() const {
 }
 
 void OWordFlow::write_return(const Block& block, std::string& out) {
-    if (!inside_sub()) fail(block, "return stands inside of a subroutine");
+    if (!inside_sub()) fail(block, "return must be inside a subroutine");
     // Lua requires `return` at the end of a block, so it gets one of its own; a program may continue after
     // it.
     out += "do return ";

@@ -9,7 +9,7 @@ namespace gsim::codegen {
 
 namespace {
 
-constexpr std::size_t kReadAtOnce = std::size_t{64} << 10U;
+constexpr std::size_t kReadBytes = std::size_t{64} << 10U;
 
 bool is_key(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
@@ -89,8 +89,8 @@ bool SourceLines::fill() {
     buffer_.erase(0, at_);
     at_ = 0;
     const std::size_t buffered = buffer_.size();
-    buffer_.resize(buffered + kReadAtOnce);
-    const std::size_t count = source_.read(buffer_.data() + buffered, kReadAtOnce);
+    buffer_.resize(buffered + kReadBytes);
+    const std::size_t count = source_.read(buffer_.data() + buffered, kReadBytes);
     buffer_.resize(buffered + count);
     return count > 0;
 }

@@ -100,7 +100,7 @@ bool CommandWriter::write_command(const SourceLines& lines, const CommandLine& l
     record_ignored(
         code != codes_.end()
             ? fmt::format("{} ({}) is not simulated: no effect", name, code->second->meaning)
-            : fmt::format("{} is no command by which {} moves or waits: no effect", name, dialect_.title()),
+            : fmt::format("{} is not a motion or dwell command of {}: no effect", name, dialect_.title()),
         lines.at(line.column));
     return false;
 }
@@ -114,7 +114,7 @@ void CommandWriter::write_code(const SourceLines& lines, const CommandLine& line
         if (!accepts_key(code, parameter.key)) {
             const bool is_command = parameter.key == "G" || parameter.key == "M";
             record_ignored(is_command
-                               ? fmt::format("{} reads one command a line: {}{} behind {} has no effect",
+                               ? fmt::format("{} reads one command per line: {}{} after {} has no effect",
                                              dialect_.title(), parameter.key, parameter.value, name)
                                : fmt::format("{} does not read {} of {}: no effect", dialect_.title(),
                                              parameter.key, name),
@@ -122,8 +122,9 @@ void CommandWriter::write_code(const SourceLines& lines, const CommandLine& line
         } else if (same == read.end()) {
             read.push_back(parameter);
         } else {
-            record_ignored(fmt::format("{} stands twice behind {}: the last one counts", parameter.key, name),
-                           lines.at(parameter.column));
+            record_ignored(
+                fmt::format("{} is given twice after {}: the last one is used", parameter.key, name),
+                lines.at(parameter.column));
             *same = parameter;
         }
     }
@@ -135,7 +136,7 @@ void CommandWriter::write_extended(const SourceLines& lines, const CommandLine& 
     std::vector<Parameter> given;
     if (!named_parameters(line, given)) {
         diagnostics_.error(lines.at(line.column), DiagnosticKind::syntax,
-                           fmt::format("{} takes its parameters as NAME=VALUE", command.name));
+                           fmt::format("{} requires its parameters as NAME=VALUE", command.name));
         return;
     }
     std::vector<Parameter> read;
@@ -168,7 +169,7 @@ void CommandWriter::write_call(const SourceLines& lines, std::string_view name,
             code_ += strip_plus(value);
         } else {
             diagnostics_.error(lines.at(column), DiagnosticKind::number,
-                               fmt::format("'{}' behind {} is no number, which ends the program",
+                               fmt::format("'{}' after {} is not a number, which ends the program",
                                            lexer::printable(value), key));
         }
     }
@@ -187,7 +188,7 @@ void CommandWriter::warn_of_ignored() {
                      [](const auto& a, const auto& b) { return a.second.first.line < b.second.first.line; });
     for (const auto& [message, ignored] : all) {
         diagnostics_.warning(ignored.first, DiagnosticKind::code_idle,
-                             fmt::format("{} ({} in all)", message, ignored.count));
+                             fmt::format("{} ({} in total)", message, ignored.count));
     }
 }
 

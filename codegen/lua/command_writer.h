@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "codegen/lua/command_line.h"
+#include "codegen/lua/function_writer.h"
 #include "codegen/lua/lua_spool.h"
-#include "codegen/lua/part_writer.h"
 #include "grammar/dialect.h"
 #include "lexer/diagnostics.h"
 
@@ -51,7 +51,7 @@ class CommandWriter {
     lexer::Diagnostics& diagnostics_;
     LuaSpool& spool_;
     bool annotate_;
-    PartWriter parts_;
+    FunctionWriter parts_;
     std::map<std::string, const grammar::Code*, std::less<>> codes_;
     std::map<std::string, IgnoredText> ignored_;  ///< By what is said of it.
     std::uint32_t line_ = 0;

@@ -37,17 +37,17 @@ bool ends_program(const Call& call) {
 }  // namespace
 
 void LuaWriter::write_content(const Block& block) {
-    if (lexer_.is_ngc()) return write_content_ngc(block);
+    if (plan_.dialect().rules().blocks.values_before_actions) return write_values_first(block);
     write_message(block);
     if (!block.assignments.empty()) return write_assignments(block, code_);
     if (!block.text->words.empty() && plan_.plan(block)) write_calls(block, {});
 }
 
 /// All values of the block come first, then its settings and its comment, then its words act.
-void LuaWriter::write_content_ngc(const Block& block) {
+void LuaWriter::write_values_first(const Block& block) {
     if (block.assignments.size() > Settings::kMax) {
-        lexer_.fail(1, DiagnosticKind::too_large,
-                    fmt::format("a block sets at most {} parameters", Settings::kMax));
+        errors_.fail(1, DiagnosticKind::too_large,
+                     fmt::format("a block sets at most {} parameters", Settings::kMax));
         return;
     }
     const bool has_effect = !block.text->words.empty();
@@ -58,7 +58,7 @@ void LuaWriter::write_content_ngc(const Block& block) {
         values.write(block, code_);
     }
     if (!block.assignments.empty()) Settings(block).write(code_);
-    write_comment_action(block, code_);
+    if (plan_.dialect().rules().active_comments) write_comment_action(block, code_);
     if (has_effect) write_calls(block, values);
     if (!values.empty()) code_ += "end ";
 }
@@ -92,9 +92,10 @@ void LuaWriter::write_calls(const Block& block, const BlockValues& values) {
         } else if (!is_m_code(call, kReturnCode) || next_ordinal_ != 1 || !write_return_goto(block, call)) {
             write_call(block, plan_, call, values, code_);
         }
-        if (ends_program(call) && lexer_.is_ngc() && !oword_flow_.open() && block.skip_level == 0) {
+        if (ends_program(call) && plan_.dialect().rules().end_code_ends_text && !oword_flow_.open() &&
+            block.skip_level == 0) {
             main_ended_ = true;
-            lexer_.end_main_program();
+            extent_.end_main_program();
         }
     }
 }

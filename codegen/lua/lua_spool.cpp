@@ -31,7 +31,7 @@ void LuaSpool::write_head(std::string_view head) {
     buffer_.reserve(kBufferBytes + 4096);
     buffer_.append(head);
     buffer_.append(kHashMark);
-    head_size_ = buffer_.size();
+    header_size_ = buffer_.size();
     buffer_.append(kHashDigits, '0');
     buffer_ += '\n';
     size_ = hashed_ = buffer_.size();
@@ -68,23 +68,23 @@ int LuaSpool::write_buffer() {
 /// Overwrites the digits that reserve its position. Returns an errno.
 int LuaSpool::write_hash(std::string_view digits) {
     if (std::fflush(file_.get()) != 0 ||
-        std::fseek(file_.get(), static_cast<long>(head_size_), SEEK_SET) != 0 ||
+        std::fseek(file_.get(), static_cast<long>(header_size_), SEEK_SET) != 0 ||
         std::fwrite(digits.data(), 1, digits.size(), file_.get()) != digits.size())
         return errno;
     return std::fflush(file_.get()) == 0 ? 0 : errno;
 }
 
-tl::expected<void, std::string> LuaSpool::finish() {
+Result<void> LuaSpool::finish() {
     if (file_ || error_ != 0) flush();
     hash_.update(std::string_view(buffer_).substr(hashed_));
     const std::string digits = to_hex(hash_.value());
     if (file_ && error_ == 0) error_ = write_hash(digits);
     if (error_ != 0) return tl::unexpected(spool_error("written", error_));
-    if (!file_) buffer_.replace(head_size_, kHashDigits, digits);
+    if (!file_) buffer_.replace(header_size_, kHashDigits, digits);
     return {};
 }
 
-tl::expected<std::string, std::string> LuaSpool::read(std::uint64_t begin, std::uint64_t end) const {
+Result<std::string> LuaSpool::read(std::uint64_t begin, std::uint64_t end) const {
     if (!file_) return buffer_.substr(begin, end - begin);
     std::string text(end - begin, '\0');
     std::size_t done = 0;
@@ -98,7 +98,7 @@ tl::expected<std::string, std::string> LuaSpool::read(std::uint64_t begin, std::
     return text;
 }
 
-tl::expected<void, std::string> LuaSpool::copy_to(const std::function<void(std::string_view)>& sink) const {
+Result<void> LuaSpool::copy_to(const std::function<void(std::string_view)>& sink) const {
     for (std::uint64_t done = 0; done < size_; done += kBufferBytes) {
         const auto part = read(done, std::min(size_, done + kBufferBytes));
         if (!part) return tl::unexpected(part.error());

@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/file_handle.h"
 #include "codegen/lua/text_hash.h"
 
@@ -24,15 +23,15 @@ class LuaSpool {
     void write_head(std::string_view head);
     void write(std::string_view text);
     /// Completes the file. The error is a message with the reason, such as a full disk.
-    tl::expected<void, std::string> finish();
+    Result<void> finish();
 
     std::uint64_t size() const { return size_; }
     /// Returns the bytes of memory.
     std::size_t retained_bytes() const { return buffer_.capacity(); }
     /// Returns bytes [begin, end) of the finished text, all of them. The error is a message with the reason.
-    tl::expected<std::string, std::string> read(std::uint64_t begin, std::uint64_t end) const;
+    Result<std::string> read(std::uint64_t begin, std::uint64_t end) const;
     /// Passes the finished text to `sink`, in parts. The error is that of read().
-    tl::expected<void, std::string> copy_to(const std::function<void(std::string_view)>& sink) const;
+    Result<void> copy_to(const std::function<void(std::string_view)>& sink) const;
 
   private:
     void flush();
@@ -44,7 +43,7 @@ class LuaSpool {
     std::string buffer_;
     std::size_t hashed_ = 0;  ///< Bytes of buffer_ that are in the hash, the head among them.
     TextHash hash_;
-    std::uint64_t head_size_ = 0;  ///< Start of the hash.
+    std::uint64_t header_size_ = 0;  ///< Start of the hash.
     std::uint64_t size_ = 0;
     int error_ = 0;  ///< errno of the first failure to write.
 };

@@ -40,10 +40,13 @@ bool is_plain_flow(grammar::Flow flow) {
            flow == grammar::Flow::continue_;
 }
 
-/// Returns the name of a program in Lua's form: 12 for O0012, "PART7" for OPART7.
-std::string lua_program_name(std::string_view name, bool is_ngc) {
-    if (is_ngc ? is_oword_number(name) : all_digits(name) && normalized_number(name).size() <= 9)
-        return normalized_number(name);
+/// Returns the name of a program in Lua's form: 12 for O0012, "PART7" for OPART7. A name in < > is used as
+/// written, so o<02> is not o2.
+std::string lua_program_name(std::string_view name, const lexer::TextRules& rules) {
+    const bool is_number = rules.names_in_angle_brackets
+                               ? is_oword_number(name)
+                               : all_digits(name) && normalized_number(name).size() <= 9;
+    if (is_number) return normalized_number(name);
     return fmt::format("\"{}\"", name);
 }
 
@@ -52,11 +55,12 @@ std::string lua_program_name(std::string_view name, bool is_ngc) {
 LuaWriter::LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexer::Lexer& lexer,
                      lexer::Diagnostics& diagnostics, LuaSpool& spool, Options options)
     : scan_(scan),
-      lexer_(lexer),
+      errors_(lexer.errors()),
+      extent_(lexer.extent()),
       diagnostics_(diagnostics),
       spool_(spool),
       options_(options),
-      plan_(dialect, lexer, diagnostics, options.warn_of_unknown ? &unknown_ : nullptr),
+      plan_(dialect, lexer.errors(), diagnostics, options.warn_of_unknown ? &unknown_ : nullptr),
       flow_(diagnostics),
       oword_flow_(diagnostics) {}
 
@@ -85,7 +89,7 @@ void LuaWriter::on_block(const Block& block) {
     } else {
         write_block(block);
     }
-    plain_line_ = plain_line_ && is_plain(block);
+    is_plain_line_ = is_plain_line_ && is_plain(block);
     add_comment(block);
     if (block.text->end == lexer::BlockEnd::line && block.kind != BlockKind::tape) end_line();
 }
@@ -102,24 +106,23 @@ void LuaWriter::record_bad_block(const Block& block) {
         flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
 
-/// LinuxCNC searches the file for the first one after the call.
 void LuaWriter::report_duplicate_program(const Block& block, std::string_view name) {
-    const std::string what = fmt::format("the program O{} stands twice in this file", name);
-    if (!lexer_.is_ngc()) {
-        lexer_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
+    const std::string what = fmt::format("the program O{} is defined twice in this file", name);
+    if (!plan_.dialect().rules().first_program_counts) {
+        errors_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
         return;
     }
     if (block.text->bad) return;
     diagnostics_.warning(block.text->at(block.prefix_column), DiagnosticKind::program_twice,
-                         fmt::format("{}; M98 P{} calls the first one behind the main program", what, name));
+                         fmt::format("{}; M98 P{} calls the first one after the main program", what, name));
 }
 
 void LuaWriter::open_program(const Block& block) {
     close_program();
     main_ended_ = false;
     const std::string_view name = block.text->view(block.text->program);
-    const std::string lua_name = lua_program_name(name, lexer_.is_ngc());
-    if (!defined_.insert(lua_name).second) report_duplicate_program(block, name);
+    const std::string lua_name = lua_program_name(name, plan_.dialect().text());
+    if (!names_.define(lua_name)) report_duplicate_program(block, name);
     flow_.begin_program(scan_.program(next_ordinal_++));
     parts_.begin_program(lua_name, code_);
     declare_jump(code_);
@@ -129,7 +132,7 @@ void LuaWriter::open_program(const Block& block) {
 bool LuaWriter::is_empty_block(const Block& block) {
     if (!grammar::is_blank(block)) return false;
     std::string action;
-    if (lexer_.is_ngc()) write_comment_action(block, action);
+    if (plan_.dialect().rules().active_comments) write_comment_action(block, action);
     return action.empty();
 }
 
@@ -142,11 +145,10 @@ void LuaWriter::begin_function(const Block& block) {
 void LuaWriter::open_sub(const Block& block) {
     if (parts_.open()) parts_.end(code_);
     const std::string name = oword_name(block);
-    const auto [first, is_new] = subs_.try_emplace(name, block.text->at(block.flow_column));
-    if (!is_new) {
-        lexer_.fail(block.flow_column, DiagnosticKind::program_twice,
-                    fmt::format("the subroutine o{} stands twice in this file, first in line {}",
-                                block.text->view(block.text->program), first->second.line));
+    if (const lexer::Location* first = names_.define_sub(name, block.text->at(block.flow_column))) {
+        errors_.fail(block.flow_column, DiagnosticKind::program_twice,
+                     fmt::format("the subroutine o{} is defined twice in this file, first in line {}",
+                                 block.text->view(block.text->program), first->line));
     }
     parts_.begin_sub(name, code_);
 }
@@ -158,7 +160,7 @@ void LuaWriter::write_flow(const Block& block) {
     oword_flow_.write(block, flow_.weight(), code_);
     if (inside && !oword_flow_.inside_sub()) {
         parts_.end(code_);
-        if (main_ended_) lexer_.end_main_program();
+        if (main_ended_) extent_.end_main_program();
     }
     plan_.defer_unknown(oword_flow_.inside_sub() ? &deferred_codes_ : nullptr);
 }
@@ -178,9 +180,9 @@ void LuaWriter::check_skip(const Block& block) {
                            block.kind == BlockKind::end_loop ||
                            (block.kind == BlockKind::flow && !is_plain_flow(block.flow));
     if (structure) {
-        lexer_.fail(block.prefix_column, DiagnosticKind::structure,
-                    "block delete '/' cannot stand before a program or a control structure: its other end "
-                    "would be lost");
+        errors_.fail(
+            block.prefix_column, DiagnosticKind::structure,
+            "block delete '/' must not precede a program or a control structure: its end would be lost");
     }
 }
 
@@ -197,17 +199,17 @@ void LuaWriter::write_block(const Block& block) {
     const std::size_t labelled = code_.size();
     write_statements(block);
     if (code_.size() > labelled) {
-        bare_labels_ = 0;
-    } else if (label && ++bare_labels_ == kMaxBareLabels) {
+        bare_label_count_ = 0;
+    } else if (label && ++bare_label_count_ == kMaxBareLabels) {
         code_ += "do end ";
-        bare_labels_ = 0;
+        bare_label_count_ = 0;
     }
 }
 
 void LuaWriter::write_statements(const Block& block) {
-    if (const auto column = nested_too_deep(block, levels_around(block))) {
-        lexer_.fail(*column, DiagnosticKind::nesting,
-                    "the expression is nested too deep for Lua; put a part of it into a variable first");
+    if (const auto column = nested_too_deep(block, nesting_levels_around(block))) {
+        errors_.fail(*column, DiagnosticKind::nesting,
+                     "the expression is nested too deep for Lua; assign a part of it to a variable first");
     }
     const std::size_t before = code_.size();
     if (block.skip_level > 0) text::append_format(code_, "if not skipped({}) then ", block.skip_level);
@@ -225,8 +227,8 @@ void LuaWriter::write_statements(const Block& block) {
 
 /// Returns the levels of Lua that are used before an expression of the block begins; simultaneous settings
 /// also use some.
-int LuaWriter::levels_around(const Block& block) const {
-    if (!lexer_.is_ngc()) return 0;
+int LuaWriter::nesting_levels_around(const Block& block) const {
+    if (!plan_.dialect().rules().blocks.values_before_actions) return oword_flow_.levels();
     constexpr int kLevelsPerSetting = 2;
     const std::size_t settings = std::min(block.assignments.size(), Settings::kMax);
     return oword_flow_.levels() + kLevelsPerSetting * static_cast<int>(settings);
@@ -238,8 +240,8 @@ void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::vector<lexer::Slice>& comments = block.text->comments;
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
     if (count == 0 || block.has_program) return;
-    if (const auto error = write_active_comment(block.text->view(comments[count - 1]), out))
-        lexer_.fail(1, DiagnosticKind::syntax, *error);
+    if (const auto done = write_active_comment(block.text->view(comments[count - 1]), out); !done)
+        errors_.fail(1, DiagnosticKind::syntax, done.error().message);
 }
 
 void LuaWriter::write_body(const Block& block) {
@@ -276,7 +278,8 @@ void LuaWriter::write_body(const Block& block) {
             code_ += "end ";
             return;
         case BlockKind::print:
-            if (const auto error = write_print(block, code_)) lexer_.fail(1, DiagnosticKind::syntax, *error);
+            if (const auto done = write_print(block, code_); !done)
+                errors_.fail(1, DiagnosticKind::syntax, done.error().message);
             return;
         case BlockKind::flow: write_flow(block); return;
         case BlockKind::tape: return;
@@ -310,25 +313,18 @@ void LuaWriter::end_line() {
     }
     code_ += '\n';
     spool_.write(code_);
-    parts_.end_line(code_.size(), !flow_.in_loop() && !oword_flow_.open(), plain_line_);
-    plain_line_ = true;
+    parts_.end_line(code_.size(), !flow_.in_loop() && !oword_flow_.open(), is_plain_line_);
+    is_plain_line_ = true;
     code_.clear();
 }
 
 void LuaWriter::end_file() {
     close_program();
     if (!code_.empty() || !comment_.empty()) end_line();
-    unknown_.report(diagnostics_, plan_.dialect().title(), "it is left out, a G code with all of its block");
+    unknown_.report(diagnostics_, plan_.dialect().title(), "it is skipped, a G code with its complete block");
     deferred_codes_.report(diagnostics_, plan_.dialect().title(),
-                           "a call of the subroutine around it would end in an alarm");
-    for (const auto& [number, location] : called_) {
-        if (!defined_.contains(std::to_string(number))) {
-            diagnostics_.warning(
-                location, DiagnosticKind::program_missing,
-                fmt::format("program O{} is not in this file; it is looked for beside it when it is called",
-                            number));
-        }
-    }
+                           "a call of the enclosing subroutine would end in an alarm");
+    names_.report_missing(diagnostics_);
 }
 
 }  // namespace gsim::codegen

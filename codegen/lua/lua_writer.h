@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,8 +11,9 @@
 #include "codegen/flow/control_flow.h"
 #include "codegen/flow/jump_scan.h"
 #include "codegen/flow/oword_flow.h"
+#include "codegen/flow/program_names.h"
+#include "codegen/lua/function_writer.h"
 #include "codegen/lua/lua_spool.h"
-#include "codegen/lua/part_writer.h"
 #include "grammar/parser.h"
 
 namespace gsim::codegen {
@@ -46,11 +45,11 @@ class LuaWriter : public grammar::BlockSink {
     void write_block(const grammar::Block& block);
     void record_bad_block(const grammar::Block& block);
     void write_statements(const grammar::Block& block);
-    int levels_around(const grammar::Block& block) const;
+    int nesting_levels_around(const grammar::Block& block) const;
     void write_comment_action(const grammar::Block& block, std::string& out);
     void write_body(const grammar::Block& block);
     void write_content(const grammar::Block& block);
-    void write_content_ngc(const grammar::Block& block);
+    void write_values_first(const grammar::Block& block);
     void write_calls(const grammar::Block& block, const BlockValues& values);
     void write_message(const grammar::Block& block);
     bool write_return_goto(const grammar::Block& block, const Call& call);
@@ -77,7 +76,8 @@ class LuaWriter : public grammar::BlockSink {
     void check_skip(const grammar::Block& block);
 
     const FileScan& scan_;
-    lexer::Lexer& lexer_;
+    lexer::BlockErrors& errors_;
+    lexer::ProgramExtent& extent_;
     lexer::Diagnostics& diagnostics_;
     LuaSpool& spool_;
     Options options_;
@@ -86,16 +86,14 @@ class LuaWriter : public grammar::BlockSink {
     BlockPlan plan_;
     ControlFlow flow_;
     OWordFlow oword_flow_;
-    PartWriter parts_;
+    FunctionWriter parts_;
     std::string code_;
     std::string comment_;
-    bool plain_line_ = true;  ///< For the blocks of the line that is being built.
+    bool is_plain_line_ = true;  ///< For the blocks of the line that is being built.
     std::size_t next_ordinal_ = 0;
-    bool main_ended_ = false;  ///< By M2 or M30: only subroutines may follow.
-    int bare_labels_ = 0;      ///< Labels since the last statement.
-    std::set<std::string> defined_;
-    std::map<std::string, lexer::Location> subs_;  ///< By name as Lua has it.
-    std::map<std::uint32_t, lexer::Location> called_;
+    bool main_ended_ = false;   ///< By M2 or M30: only subroutines may follow.
+    int bare_label_count_ = 0;  ///< Labels since the last statement.
+    ProgramNames names_;
 };
 
 }  // namespace gsim::codegen

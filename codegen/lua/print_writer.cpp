@@ -32,10 +32,10 @@ std::optional<Value> value_at(std::string_view text) {
 
 }  // namespace
 
-std::optional<std::string> write_print(const grammar::Block& block, std::string& out) {
+Result<void> write_print(const grammar::Block& block, std::string& out) {
     if (block.print != lexer::Print::text) {
         out += block.print == lexer::Print::open ? "POPEN() " : "PCLOS() ";
-        return std::nullopt;
+        return {};
     }
     std::string format;
     std::string values;
@@ -49,9 +49,9 @@ std::optional<std::string> write_print(const grammar::Block& block, std::string&
         }
         const std::optional<Value> value = value_at(text);
         if (!value) {
-            return "behind a variable DPRNT has the digits before and behind the decimal point in brackets, "
-                   "as in "
-                   "#100[53]";
+            return Unexpected(
+                "DPRNT requires the digits before and after the decimal point in brackets after a variable, "
+                "as in #100[53]");
         }
         format += fmt::format("%.{}f", value->decimals);
         values += fmt::format(", v[{}]", value->variable);
@@ -61,7 +61,7 @@ std::optional<std::string> write_print(const grammar::Block& block, std::string&
     write_lua_string(format, out);
     out += values;
     out += ") ";
-    return std::nullopt;
+    return {};
 }
 
 }  // namespace gsim::codegen

@@ -10,24 +10,32 @@
 
 namespace gsim::codegen {
 
+/// Printed units of a number that is not known.
+inline constexpr std::int64_t kUnknownUnits = INT64_MIN;
+
+/// Decimals of numbers that are no positions.
+inline constexpr int kValueDecimals = 6;
+
 /// Format of numbers with so many decimals. The written value is an integer count of units of the last
 /// decimal, so two values are the same word if their units are equal.
 class DecimalFormat {
   public:
-    DecimalFormat(int decimals, TrailingZeros zeros) : decimals_(decimals), zeros_(zeros) {
-        for (int i = 0; i < decimals; ++i) per_one_ *= 10;
+    DecimalFormat(int decimals, TrailingZeros zeros) : decimals_(decimals), trailing_zeros_(zeros) {
+        for (int i = 0; i < decimals; ++i) decimal_scale_ *= 10;
     }
 
-    std::int64_t units(double value) const { return std::llround(value * static_cast<double>(per_one_)); }
+    std::int64_t units(double value) const {
+        return std::llround(value * static_cast<double>(decimal_scale_));
+    }
     double value(std::int64_t units) const {
-        return static_cast<double>(units) / static_cast<double>(per_one_);
+        return static_cast<double>(units) / static_cast<double>(decimal_scale_);
     }
     void append(fmt::memory_buffer& out, std::int64_t units) const;
 
   private:
     int decimals_;
-    TrailingZeros zeros_;
-    std::int64_t per_one_ = 1;
+    TrailingZeros trailing_zeros_;
+    std::int64_t decimal_scale_ = 1;
 };
 
 /// Returns a number with at most so many decimals, without zeros at the end.
@@ -44,16 +52,16 @@ inline void DecimalFormat::append(fmt::memory_buffer& out, std::int64_t units) c
         out.push_back('-');
         units = -units;
     }
-    const fmt::format_int integer_part(units / per_one_);
+    const fmt::format_int integer_part(units / decimal_scale_);
     out.append(integer_part.data(), integer_part.data() + integer_part.size());
-    std::int64_t fraction = units % per_one_;
+    std::int64_t fraction = units % decimal_scale_;
     char digits[20];
     for (int i = decimals_; i > 0; fraction /= 10) digits[--i] = static_cast<char>('0' + fraction % 10);
     int digit_count = decimals_;
-    if (zeros_ != TrailingZeros::keep) {
+    if (trailing_zeros_ != TrailingZeros::keep) {
         while (digit_count > 0 && digits[digit_count - 1] == '0') --digit_count;
     }
-    if (digit_count > 0 || zeros_ == TrailingZeros::point) out.push_back('.');
+    if (digit_count > 0 || trailing_zeros_ == TrailingZeros::point) out.push_back('.');
     out.append(digits, digits + digit_count);
 }
 

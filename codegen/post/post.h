@@ -21,12 +21,59 @@ struct SubprogramLines {
     bool operator==(const SubprogramLines&) const = default;
 };
 
+/// Numbers of a program.
+struct NumberDigits {
+    int decimals_mm = 3, decimals_inch = 4, decimals_deg = 3, decimals_feed = 3;
+    std::optional<int> decimals_recorded_mm;  ///< For recorded paths; not set: decimals_mm.
+    TrailingZeros zeros = TrailingZeros::cut;
+
+    bool operator==(const NumberDigits&) const = default;
+};
+
+/// Blocks of a program.
+struct BlockFormat {
+    int number_step = 0;    ///< Between block numbers; 0: no numbers.
+    int number_digits = 0;  ///< Block numbers are filled up with zeros to so many digits.
+    std::string axes;       ///< Letters of the axes that the controller has; empty: any.
+    std::string dwell;      ///< Template with {seconds} or {milliseconds}.
+    std::string
+        start_position;  ///< Word of a block with the position of the tool at the start; may be empty.
+
+    bool operator==(const BlockFormat&) const = default;
+};
+
 /// Words of an arc through a point: its code, and the letters of X, Y and Z of the point.
-struct ThroughPoint {
+struct ThroughPointWords {
     std::string code;
     std::array<std::string, 3> letters;
 
-    bool operator==(const ThroughPoint&) const = default;
+    bool operator==(const ThroughPointWords&) const = default;
+};
+
+/// Arcs that the controller has beyond those by their centre in a plane of the axes.
+struct ArcAbilities {
+    std::string turns_letter;  ///< Letter of the number of circles that an arc begins; empty: max one.
+    std::optional<ThroughPointWords>
+        through_point;             ///< For arcs in any plane; not set: the controller has no word.
+    bool rejects_oblique = false;  ///< Those it has no word for; otherwise they become lines.
+
+    bool operator==(const ArcAbilities&) const = default;
+};
+
+/// Words of a line in step with the spindle; empty: not supported.
+struct ThreadWords {
+    std::string code;
+    std::string lead;  ///< The letter of its lead.
+
+    bool operator==(const ThreadWords&) const = default;
+};
+
+/// Lines for accelerations; empty: the controller has no words.
+struct AccelerationLines {
+    std::vector<std::string> set;
+    std::vector<std::string> end;  ///< Lines that cancel it, at the program's end.
+
+    bool operator==(const AccelerationLines&) const = default;
 };
 
 /// Words for an F that is no feed per minute. Empty: the controller has no word.
@@ -73,31 +120,19 @@ struct ToolChangeWords {
 struct Post {
     std::string name;
     std::string dialect;  ///< The dialect of gcode2lua that reads these programs.
-    int decimals_mm = 3, decimals_inch = 4, decimals_deg = 3, decimals_feed = 3;
-    std::optional<int> decimals_recorded_mm;  ///< For recorded paths; not set: decimals_mm.
-    TrailingZeros zeros = TrailingZeros::cut;
-    int number_step = 0;    ///< Between block numbers; 0: no numbers.
-    int number_digits = 0;  ///< Block numbers are filled up with zeros to so many digits.
-    std::string axes;       ///< Letters of the axes that the controller has; empty: any.
-    std::string dwell;
-    std::string
-        start_position;  ///< Word of a block with the position of the tool at the start; may be empty.
-    std::string arc_turns_letter;  ///< Letter of the number of circles that an arc begins; empty: max one.
-    std::optional<ThroughPoint>
-        through_point;                  ///< For arcs in any plane; not set: the controller has no word.
-    bool rejects_oblique_arcs = false;  ///< Those it has no word for; otherwise they become lines.
-    std::string thread;                 ///< Word of a line in step with the spindle; empty: not supported.
-    std::string thread_lead;            ///< The letter of its lead.
+    NumberDigits numbers;
+    BlockFormat blocks;
+    ArcAbilities arcs;
+    ThreadWords thread;
     FeedModes feed_modes;
     OffsetWords offsets;
     ReferenceWords references;
     std::vector<std::string> touch;  ///< Lines that find a work offset along one axis; empty: it cannot.
     ToolChangeWords tool_change;
-    std::vector<std::string> acceleration;      ///< Lines that set it; empty: the controller has no words.
-    std::vector<std::string> end_acceleration;  ///< Lines that cancel it, at the program's end.
+    AccelerationLines acceleration;
     std::vector<std::string> begin, end;        ///< Lines of the program.
     std::optional<SubprogramLines> subprogram;  ///< Not set: sub-paths are written at their use.
-    std::map<std::string, std::string, std::less<>> actions;  ///< See ActionWords.
+    std::map<std::string, std::string, std::less<>> actions;  ///< See ActionBlocks.
 
     bool operator==(const Post&) const = default;
 };

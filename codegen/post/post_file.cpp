@@ -6,7 +6,7 @@
 #include "base/os/input_file.h"
 #include "base/text/format.h"
 #include "base/toml/toml_section.h"
-#include "codegen/post/action_words.h"
+#include "codegen/post/action_blocks.h"
 #include "codegen/post/embedded_posts.h"
 
 namespace gsim::codegen {
@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 14> kPostKeys = {
     "name",    "reads_as",     "numbers",    "blocks",  "arcs",        "program",          "subprogram",
     "actions", "acceleration", "feed_modes", "offsets", "tool_change", "reference_points", "probe"};
 constexpr std::array<std::string_view, 3> kArcKeys = {"through_point", "oblique", "turns"};
-constexpr std::array<std::string_view, 2> kOblique = {"lines", "refuse"};
+constexpr std::array<std::string_view, 2> kObliqueArcRules = {"lines", "refuse"};
 constexpr std::array<std::string_view, 6> kNumberKeys = {
     "decimals_mm", "decimals_inch", "decimals_deg", "decimals_feed", "decimals_recorded_mm", "zeros"};
 constexpr std::array<std::string_view, 7> kBlockKeys = {
@@ -52,7 +52,7 @@ constexpr std::array<std::string_view, 6> kSubprogramKeys = {"order", "begin",  
                                                              "call",  "call_repeated", "file"};
 constexpr std::array<std::string_view, 2> kAccelerationKeys = {"set", "end"};
 constexpr std::array<std::string_view, 2> kOrders = {"after", "before"};
-constexpr std::array<std::string_view, 3> kZeros = {"keep", "point", "cut"};
+constexpr std::array<std::string_view, 3> kTrailingZeroRules = {"keep", "point", "cut"};
 constexpr std::array<std::string_view, 2> kDialects = {"ab9", "rs274ngc"};
 
 constexpr std::array<std::string_view, 5> kProgramPlaceholders = {"number", "title", "program", "lower",
@@ -70,7 +70,7 @@ class PostReader {
   public:
     explicit PostReader(std::string_view file_name) : error_(file_name) {}
 
-    tl::expected<Post, std::string> read(std::string_view text) {
+    Result<Post> read(std::string_view text) {
         const toml::table table = base::parse_toml(error_, text);
         if (!error_.text()) read_post(table);
         if (error_.text()) return tl::unexpected(*error_.text());
@@ -94,8 +94,8 @@ class PostReader {
         if (const auto* subprogram = section.table("subprogram")) read_subprogram(*subprogram);
         if (const auto* acceleration = section.table("acceleration")) {
             TomlSection of(error_, *acceleration, "[acceleration]", kAccelerationKeys);
-            post_.acceleration = lines(of, "set", kAccelerationPlaceholders);
-            post_.end_acceleration = lines(of, "end", {});
+            post_.acceleration.set = lines(of, "set", kAccelerationPlaceholders);
+            post_.acceleration.end = lines(of, "end", {});
         }
         if (const auto* modes = section.table("feed_modes")) read_feed_modes(*modes);
         if (const auto* offsets = section.table("offsets")) read_offsets(*offsets);
@@ -114,34 +114,34 @@ class PostReader {
         if (section.require(key) == nullptr) return 0;
         const double value = section.number(key, 0, NumberRule::not_negative);
         if (value <= max && value == std::floor(value)) return static_cast<int>(value);
-        section.fail(key, fmt::format("'{}' must be a whole number from 0 to {}", key, max));
+        section.fail(key, fmt::format("'{}' must be an integer from 0 to {}", key, max));
         return 0;
     }
 
     void read_numbers(const toml::table& table) {
         TomlSection section(error_, table, "[numbers]", kNumberKeys);
-        post_.decimals_mm = read_integer(section, "decimals_mm", kMaxDecimals);
-        post_.decimals_inch = read_integer(section, "decimals_inch", kMaxDecimals);
-        post_.decimals_deg = read_integer(section, "decimals_deg", kMaxDecimals);
-        post_.decimals_feed = read_integer(section, "decimals_feed", kMaxDecimals);
+        post_.numbers.decimals_mm = read_integer(section, "decimals_mm", kMaxDecimals);
+        post_.numbers.decimals_inch = read_integer(section, "decimals_inch", kMaxDecimals);
+        post_.numbers.decimals_deg = read_integer(section, "decimals_deg", kMaxDecimals);
+        post_.numbers.decimals_feed = read_integer(section, "decimals_feed", kMaxDecimals);
         if (section.has("decimals_recorded_mm"))
-            post_.decimals_recorded_mm = read_integer(section, "decimals_recorded_mm", kMaxDecimals);
+            post_.numbers.decimals_recorded_mm = read_integer(section, "decimals_recorded_mm", kMaxDecimals);
         section.require("zeros");
-        post_.zeros = static_cast<TrailingZeros>(section.choice("zeros", 0, kZeros));
+        post_.numbers.zeros = static_cast<TrailingZeros>(section.choice("zeros", 0, kTrailingZeroRules));
     }
 
     void read_blocks(const toml::table& table) {
         TomlSection section(error_, table, "[blocks]", kBlockKeys);
-        post_.number_step = read_integer(section, "number_step", 1000);
-        post_.number_digits = read_integer(section, "number_digits", kMaxDigits);
-        if (section.has("axes")) post_.axes = section.text("axes");
-        post_.dwell = section.text("dwell");
-        check_line(section, "dwell", post_.dwell, kDwellPlaceholders);
-        post_.start_position = word(section, "start_position");
-        post_.thread = word(section, "thread");
-        post_.thread_lead = word(section, "thread_lead");
-        if (post_.thread.empty() != post_.thread_lead.empty())
-            section.fail("thread", "'thread' and 'thread_lead' go together");
+        post_.blocks.number_step = read_integer(section, "number_step", 1000);
+        post_.blocks.number_digits = read_integer(section, "number_digits", kMaxDigits);
+        if (section.has("axes")) post_.blocks.axes = section.text("axes");
+        post_.blocks.dwell = section.text("dwell");
+        check_line(section, "dwell", post_.blocks.dwell, kDwellPlaceholders);
+        post_.blocks.start_position = word(section, "start_position");
+        post_.thread.code = word(section, "thread");
+        post_.thread.lead = word(section, "thread_lead");
+        if (post_.thread.code.empty() != post_.thread.lead.empty())
+            section.fail("thread", "'thread' and 'thread_lead' must be given together");
     }
 
     // Reads an optional word.
@@ -173,12 +173,12 @@ class PostReader {
         if (section.has("begin")) words.begin = lines(section, "begin", {});
         if (section.has("end")) words.end = lines(section, "end", {});
         if (words.system.empty() != words.systems.empty())
-            section.fail("system", "'system' and 'systems' go together");
+            section.fail("system", "'system' and 'systems' must be given together");
         for (const std::string_view placeholder : kSetPlaceholders) {
             if (words.set.empty() || words.set.find(fmt::format("{{{}}}", placeholder)) != std::string::npos)
                 continue;
             section.fail("set",
-                         fmt::format("'set' must hold {{{}}}", text::joined(kSetPlaceholders, "}, {")));
+                         fmt::format("'set' must contain {{{}}}", text::joined(kSetPlaceholders, "}, {")));
         }
     }
 
@@ -187,11 +187,11 @@ class PostReader {
         post_.references.go = lines(section, "go", kReferencePlaceholders);
         if (section.has("end")) post_.references.end = lines(section, "end", {});
         if (post_.references.go.size() > kMaxReferences)
-            section.fail("go",
-                         fmt::format("'go' has a line for each reference point, {} at most", kMaxReferences));
+            section.fail("go", fmt::format("'go' must have a line for each reference point, at most {}",
+                                           kMaxReferences));
         for (const std::string& line : post_.references.go) {
             if (line.find("{axes}") == std::string::npos)
-                section.fail("go", "each line of 'go' must hold {axes}");
+                section.fail("go", "each line of 'go' must contain {axes}");
         }
     }
 
@@ -201,7 +201,7 @@ class PostReader {
         const std::string all = text::joined(post_.touch, "\n");
         for (const std::string_view placeholder : kRequiredTouchPlaceholders) {
             if (all.find(fmt::format("{{{}}}", placeholder)) == std::string::npos)
-                section.fail("touch", fmt::format("'touch' must hold {{{}}}",
+                section.fail("touch", fmt::format("'touch' must contain {{{}}}",
                                                   text::joined(kRequiredTouchPlaceholders, "}, {")));
         }
     }
@@ -211,7 +211,7 @@ class PostReader {
         for (const std::string& stopped : lines(section, "stops", {})) {
             const auto at = std::find(kStoppableOutputs.begin(), kStoppableOutputs.end(), stopped);
             if (at == kStoppableOutputs.end())
-                section.fail("stops", fmt::format("'stops' holds {}, not \"{}\"",
+                section.fail("stops", fmt::format("'stops' must contain {}, not \"{}\"",
                                                   text::joined(kStoppableOutputs, " and "), stopped));
             (at == kStoppableOutputs.begin() ? post_.tool_change.stops_spindle
                                              : post_.tool_change.stops_coolant) = true;
@@ -220,18 +220,18 @@ class PostReader {
 
     void read_arcs(const toml::table& table) {
         TomlSection section(error_, table, "[arcs]", kArcKeys);
-        post_.rejects_oblique_arcs = section.choice("oblique", 0, kOblique) == 1;
-        post_.arc_turns_letter = word(section, "turns");
+        post_.arcs.rejects_oblique = section.choice("oblique", 0, kObliqueArcRules) == 1;
+        post_.arcs.turns_letter = word(section, "turns");
         if (!section.has("through_point")) return;
         std::vector<std::string> words = lines(section, "through_point", {});
         if (words.size() != 4) {
             section.fail("through_point",
-                         "'through_point' takes four strings: the code, and the letters of X, Y and Z of the "
-                         "point");
+                         "'through_point' must have four strings: the code, and the letters of X, Y and Z of "
+                         "the point");
             return;
         }
-        post_.through_point = {std::move(words[0]),
-                               {std::move(words[1]), std::move(words[2]), std::move(words[3])}};
+        post_.arcs.through_point = {std::move(words[0]),
+                                    {std::move(words[1]), std::move(words[2]), std::move(words[3])}};
     }
 
     void read_subprogram(const toml::table& table) {
@@ -262,13 +262,12 @@ class PostReader {
                            plain.find("..") == std::string::npos;
         if (!known || plain.empty() || plain.size() > kMaxFileNameLength || plain[0] == '.' ||
             plain[0] == '-') {
-            section.fail("file",
-                         fmt::format("'file' must be a name of letters, digits, '_', '-' and '.', of {} at "
-                                     "most, that begins with a letter, a digit, '_' or a place, such as "
-                                     "\"{{program}}_O{{number}}.nc\"",
-                                     kMaxFileNameLength));
+            section.fail("file", fmt::format("'file' must be a name of letters, digits, '_', '-' and '.', of "
+                                             "at most {} characters, that begins with a letter, a digit, '_' "
+                                             "or a placeholder, such as \"{{program}}_O{{number}}.nc\"",
+                                             kMaxFileNameLength));
         } else if (file.find("{number}") == std::string_view::npos) {
-            section.fail("file", "'file' must hold {number}, so that each subprogram has a file of its own");
+            section.fail("file", "'file' must contain {number}, so that each subprogram has a separate file");
         }
     }
 
@@ -299,7 +298,7 @@ class PostReader {
         for (const toml::node& element : *array) {
             const auto* text = element.as_string();
             if (text == nullptr) {
-                error_.report(element.source().begin, fmt::format("'{}' must hold strings only", key));
+                error_.report(element.source().begin, fmt::format("'{}' must contain only strings", key));
             } else {
                 check_text(element.source().begin, key, text->get(), placeholders);
                 found.push_back(text->get());
@@ -318,7 +317,8 @@ class PostReader {
         const bool is_control_character = std::any_of(
             line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
         if (is_control_character)
-            error_.report(where, fmt::format("'{}' must not hold line breaks or the like", key));
+            error_.report(where,
+                          fmt::format("'{}' must not contain line breaks or other control characters", key));
         for (std::size_t open = line.find('{'); open != std::string_view::npos;
              open = line.find('{', open + 1)) {
             const std::string_view name = line.substr(open + 1, line.find('}', open) - open - 1);
@@ -326,7 +326,8 @@ class PostReader {
             const std::string hint = placeholders.empty()
                                          ? std::string("nothing")
                                          : fmt::format("{{{}}}", text::joined(placeholders, "}, {"));
-            error_.report(where, fmt::format("'{}' knows no {{{}}}; it may hold {}", key, name, hint));
+            error_.report(where,
+                          fmt::format("'{}' has no placeholder {{{}}}; it may contain {}", key, name, hint));
         }
     }
 
@@ -336,7 +337,7 @@ class PostReader {
 
 }  // namespace
 
-tl::expected<Post, std::string> read_post(std::string_view toml_text, std::string_view file_name) {
+Result<Post> read_post(std::string_view toml_text, std::string_view file_name) {
     return PostReader(file_name).read(toml_text);
 }
 
@@ -349,17 +350,16 @@ std::vector<std::string_view> built_in_posts() {
     return names;
 }
 
-tl::expected<Post, std::string> find_post(const std::string& name) {
+Result<Post> find_post(const std::string& name) {
     if (name.ends_with(kExtension)) {
-        const tl::expected<std::string, std::string> text =
-            os::read_text_file(name, os::NameSource::command_line);
+        const Result<std::string> text = os::read_text_file(name, os::NameSource::command_line);
         if (!text) return tl::unexpected(text.error());
         return read_post(*text, name);
     }
     const std::string_view text = embedded::embedded_posts(name + std::string(kExtension));
     if (text.data() != nullptr) return read_post(text, name);
-    return tl::unexpected(fmt::format("there is no post '{}'; there are {}, or name a file that ends in {}",
-                                      name, text::joined(built_in_posts(), ", "), kExtension));
+    return Unexpected(fmt::format("unknown post '{}'; use {}, or a file that ends in {}", name,
+                                  text::joined(built_in_posts(), ", "), kExtension));
 }
 
 }  // namespace gsim::codegen

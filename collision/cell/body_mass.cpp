@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-using RigidBodyResult = tl::expected<RigidBody, std::string>;
+using RigidBodyResult = Result<RigidBody>;
 
 constexpr double kMetresPerMm = 1e-3;
 constexpr double kPi = std::numbers::pi;
@@ -132,10 +132,9 @@ RigidBodyResult make(const machine::MeshShape& shape, double density, const Mesh
     const auto mesh = load_mesh(shape.file, shape.scale, shape.tolerance_mm, files);
     if (!mesh) return tl::unexpected(mesh.error());
     if (const auto open = find_open_edge(**mesh)) {
-        return tl::unexpected(
-            fmt::format("{}: the surface is not closed, so that it encloses no mass: an edge at {:.6g} "
-                        "{:.6g} {:.6g} has a "
-                        "triangle on one side alone",
+        return Unexpected(
+            fmt::format("{}: the surface is not closed, so it encloses no mass: an edge at {:.6g} {:.6g} "
+                        "{:.6g} has a triangle on one side only",
                         shape.file.string(), open->x(), open->y(), open->z()));
     }
     return integrate_rigid_body(**mesh, density);
@@ -143,8 +142,8 @@ RigidBodyResult make(const machine::MeshShape& shape, double density, const Mesh
 
 }  // namespace
 
-tl::expected<RigidBody, std::string> compute_rigid_body(const machine::ShapeForm& form, double density_kg_m3,
-                                                        const MeshFiles& files) {
+Result<RigidBody> compute_rigid_body(const machine::ShapeForm& form, double density_kg_m3,
+                                     const MeshFiles& files) {
     return std::visit([&](const auto& of) { return make(of, density_kg_m3, files); }, form);
 }
 

@@ -51,7 +51,7 @@ class CellReader {
         if (cell_.frames.find(name)) {
             return error_.report(
                 root.source().begin,
-                fmt::format("the conveyor '{}' has the name of a frame of the machine", name));
+                fmt::format("the conveyor '{}' has the same name as a frame of the machine", name));
         }
         cell_.make_movable(cell_.frames.add(name, 0, rrs::CartPos::Identity()), true);
     }
@@ -67,7 +67,8 @@ class CellReader {
         const auto ignored = machine::read_ignored(error_, file, root,
                                                    [this](std::string_view name) { return find_item(name); });
         cell_.ignored.insert(cell_.ignored.end(), ignored.begin(), ignored.end());
-        if (const auto error = check_pair_count(cell_.items, cell_.frames)) file.fail("object", *error);
+        if (const auto error = find_pair_count_error(cell_.items, cell_.frames))
+            file.fail("object", error->message);
         return std::move(cell_);
     }
 
@@ -87,10 +88,11 @@ class CellReader {
         if (name.empty()) section.fail("name", "'name' must not be empty");
         const auto item = find_item(name);
         if (item && *item < machine_items_) {
-            section.fail("name",
-                         fmt::format("the name '{}' is taken by a [[shape]] of the machine file", name));
+            section.fail(
+                "name",
+                fmt::format("the name '{}' is already used by a [[shape]] of the machine file", name));
         } else if (cell_.frames.find(name)) {
-            section.fail("name", fmt::format("the name '{}' is taken: by the machine, or above", name));
+            section.fail("name", fmt::format("the name '{}' is already used, by the machine or above", name));
         }
         return name;
     }
@@ -100,8 +102,8 @@ class CellReader {
         const std::vector<std::string_view> names = cell_.frames.names();
         const auto nearest = text::nearest_name(name, names);
         const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                         : fmt::format("there are: {}", text::joined(names, ", "));
-        section.fail(key, fmt::format("nothing above is called '{}'; {}", name, hint));
+                                         : fmt::format("known names: {}", text::joined(names, ", "));
+        section.fail(key, fmt::format("'{}' is not defined above; {}", name, hint));
         return 0;
     }
 
@@ -135,10 +137,9 @@ class CellReader {
         const bool jet = on == "jet";
         const std::size_t parent = find_frame(section, "on", jet ? "tool" : on);
         if (!cell_.frames.is_machine_frame(parent) || on == "world") {
-            section.fail(
-                "on",
-                "'on' must be \"base\", a letter of an axis, \"tool\", \"work\" or \"jet\"; what stands in "
-                "the world is an [[object]]");
+            section.fail("on",
+                         "'on' must be \"base\", a letter of an axis, \"tool\", \"work\" or \"jet\"; a body "
+                         "in the world must be an [[object]]");
         }
         add_item(section, table, std::move(name), jet ? Role::jet : Role::machine, parent);
     }
@@ -149,7 +150,7 @@ class CellReader {
         const std::size_t frame = add_frame(section, name, parent);
         if (!form) return;
         auto shape = make_shape(*form, files_);
-        if (!shape) return section.fail("shape", shape.error());
+        if (!shape) return section.fail("shape", shape.error().message);
         items_by_name_.emplace(name, cell_.items.size());
         cell_.items.push_back({std::move(name), role, *std::move(shape), frame});
     }
@@ -169,7 +170,7 @@ class CellReader {
 };
 
 /// Returns the `on` values of a cell's [[shape]]s, even if the tables are not right.
-std::set<std::string, std::less<>> replaced_locations(const toml::table& root) {
+std::set<std::string, std::less<>> replaced_attachments(const toml::table& root) {
     std::set<std::string, std::less<>> attachments;
     const toml::array* shapes = root.get_as<toml::array>("shape");
     if (shapes == nullptr) return attachments;
@@ -183,7 +184,7 @@ std::set<std::string, std::less<>> replaced_locations(const toml::table& root) {
 
 /// The tool of a cell replaces that of the machine file, and the same applies to the jet.
 machine::Machine remove_replaced_shapes(const machine::Machine& machine, const toml::table& root) {
-    const auto attachments = replaced_locations(root);
+    const auto attachments = replaced_attachments(root);
     machine::Machine left = machine;
     left.shapes.clear();
     std::map<std::size_t, std::size_t> numbers;
@@ -203,7 +204,7 @@ machine::Machine remove_replaced_shapes(const machine::Machine& machine, const t
 
 }  // namespace
 
-tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name) {
+Result<CellFiles> read_cell_files(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
@@ -218,10 +219,9 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
     return files;
 }
 
-tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
-                                          const machine::Machine& machine,
-                                          std::span<const std::string> conveyors, const MeshFiles& files,
-                                          std::vector<std::string>* errors) {
+Result<Cell> read_cell(std::string_view toml_text, std::string_view file_name,
+                       const machine::Machine& machine, std::span<const std::string> conveyors,
+                       const MeshFiles& files, std::vector<std::string>* errors) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     const machine::Machine remaining_machine = remove_replaced_shapes(machine, root);

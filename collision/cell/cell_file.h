@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "collision/cell/cell.h"
 #include "geometry/mesh/mesh_file.h"
 
@@ -21,16 +20,14 @@ struct CellFiles {
 
 /// Returns what a cell file says of its machine. The error is "file:line:column: message", as in all of
 /// these. `file_name` is for that, and for the files that it names, which are searched in its folder.
-tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name);
+Result<CellFiles> read_cell_files(std::string_view toml_text, std::string_view file_name);
 
 /// Reads a cell file (docs/cell-file.md) for a machine, strictly: unknown or unclear content is an error.
 /// Also reads the meshes that it names. `conveyors` are names of frames to which things may be attached, in
 /// the world at the conveyor position 0; Cell::carried begins with them. `faults`, if given, receives all
 /// errors, the first one first.
-tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
-                                          const machine::Machine& machine,
-                                          std::span<const std::string> conveyors = {},
-                                          const MeshFiles& files = {},
-                                          std::vector<std::string>* errors = nullptr);
+Result<Cell> read_cell(std::string_view toml_text, std::string_view file_name,
+                       const machine::Machine& machine, std::span<const std::string> conveyors = {},
+                       const MeshFiles& files = {}, std::vector<std::string>* errors = nullptr);
 
 }  // namespace gsim::cell

@@ -18,19 +18,20 @@ using machine::TableSchema;
 using machine::text_key;
 
 TableSchema cell_file_table() {
-    return {.at = {},
-            .meaning = "the cell file",
-            .keys = {required(table_key("cell", "what the cell is called, and its machine")),
-                     list_key("frame", KeyKind::table, 0, "places with names"),
-                     list_key("object", KeyKind::table, 0, "what stands round the machine"),
-                     list_key("shape", KeyKind::table, 0, "bodies of parts of the machine"),
-                     list_key("ignore", KeyKind::list, 0, "pairs of objects or shapes that may touch"),
-                     list_key("robot", KeyKind::table, 0, "of a file of robots, which may be the same file"),
-                     list_key("conveyor", KeyKind::table, 0, "of a file of robots, too")}};
+    return {
+        .at = {},
+        .meaning = "the cell file",
+        .keys = {required(table_key("cell", "name of the cell, and its machine")),
+                 list_key("frame", KeyKind::table, 0, "named frames"),
+                 list_key("object", KeyKind::table, 0, "cell file: the surroundings of the machine"),
+                 list_key("shape", KeyKind::table, 0, "bodies on parts of the machine"),
+                 list_key("ignore", KeyKind::list, 0, "pairs of objects or shapes that may touch"),
+                 list_key("robot", KeyKind::table, 0, "robots, if this file is also a robots file"),
+                 list_key("conveyor", KeyKind::table, 0, "conveyors, if this file is also a robots file")}};
 }
 
 KeySchema name() {
-    return required(text_key("name", "", "a name of its own"));
+    return required(text_key("name", "", "a unique name"));
 }
 
 KeySchema attached_to() {
@@ -44,7 +45,7 @@ KeySchema form() {
 }
 
 KeySchema position_keys() {
-    return table_key("frame", "where it is on what it is attached to");
+    return table_key("frame", "its pose relative to the frame to which it is attached");
 }
 
 TableSchema table_schema(std::string kind, std::string meaning, std::vector<KeySchema> keys) {
@@ -66,26 +67,27 @@ std::vector<TableSchema> cell_schema() {
          .meaning = "the cell",
          .keys = {required(text_key("name", "", "for reports")),
                   text_key("machine", "",
-                           "the machine file, from the folder of this file; where none is asked for"),
-                  text_key("machine_data", "", "the same of machine data"),
+                           "machine file, relative to the folder of this file; used if no other is given"),
+                  text_key("machine_data", "",
+                           "machine data, relative to the folder of this file; used if no other are given"),
                   number_key("clearance_mm", machine::kNotNegative, "0.0",
-                             "report what comes nearer; 0: contacts alone")}},
-        table_schema("frame", "a place with a name", {name(), attached_to(), position_keys()}),
-        table_schema("object", "what stands round the machine, or lies on it",
+                             "report bodies that come closer; 0: only contacts")}},
+        table_schema("frame", "a named frame", {name(), attached_to(), position_keys()}),
+        table_schema("object", "a body around the machine, or on it",
                      {name(),
                       choice_key("role", "\"fixture\"", {"workpiece", "fixture"},
-                                 "what it is; a jet may cut a workpiece"),
+                                 "kind of body; a jet may cut a workpiece"),
                       attached_to(), form(), position_keys()}),
         table_schema(
-            "shape", "a body of a part of the machine",
+            "shape", "a body on a part of the machine",
             {name(),
              required(text_key("on", "", "\"base\", the letter of an axis, \"tool\", \"work\" or \"jet\"")),
              form(), position_keys()}),
-        within("frame", "frame", "where the place is", machine::frame_schema()),
-        within("object", "shape", "the form of a body", machine::shape_schema()),
-        within("object", "frame", "where a body is", machine::frame_schema()),
-        within("shape", "shape", "the form of a body", machine::shape_schema()),
-        within("shape", "frame", "where a body is", machine::frame_schema()),
+        within("frame", "frame", "position of the frame", machine::frame_schema()),
+        within("object", "shape", "shape of the body", machine::shape_schema()),
+        within("object", "frame", "position of the body", machine::frame_schema()),
+        within("shape", "shape", "shape of the body", machine::shape_schema()),
+        within("shape", "frame", "position of the body", machine::frame_schema()),
     };
 }
 

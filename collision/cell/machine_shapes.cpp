@@ -10,7 +10,7 @@ namespace gsim::cell {
 
 namespace {
 
-using ExpectedShape = tl::expected<Shape, std::string>;
+using ExpectedShape = Result<Shape>;
 
 ExpectedShape make(const machine::BoxShape& box, const MeshFiles& /*files*/) {
     return Shape::box({box.x_mm, box.y_mm, box.z_mm});
@@ -30,17 +30,17 @@ ExpectedShape make(const machine::MeshShape& mesh, const MeshFiles& files) {
 
 }  // namespace
 
-tl::expected<Shape, std::string> make_shape(const machine::ShapeForm& form, const MeshFiles& files) {
+Result<Shape> make_shape(const machine::ShapeForm& form, const MeshFiles& files) {
     return std::visit([&files](const auto& of) { return make(of, files); }, form);
 }
 
-tl::expected<Cell, std::string> make_machine_cell(const machine::Machine& machine, const MeshFiles& files) {
+Result<Cell> make_machine_cell(const machine::Machine& machine, const MeshFiles& files) {
     Cell cell{.name = machine.name, .frames = FrameTree(machine)};
     for (const machine::LinkShape& link_shape : machine.shapes) {
         auto shape = make_shape(link_shape.form, files);
         if (!shape) {
-            return tl::unexpected(fmt::format("the shape '{}' of the machine cannot be read: {}",
-                                              link_shape.name, shape.error()));
+            return Unexpected(fmt::format("the shape '{}' of the machine cannot be read: {}", link_shape.name,
+                                          shape.error().message));
         }
         const bool jet = link_shape.on == "jet";
         // The reader of machine files rejects other names.

@@ -2,19 +2,17 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "collision/cell/cell.h"
 #include "geometry/mesh/mesh_file.h"
 
 namespace gsim::cell {
 
 /// Returns the shape that a file describes; reads its mesh. The error is a message that names the mesh file.
-tl::expected<Shape, std::string> make_shape(const machine::ShapeForm& form, const MeshFiles& files = {});
+Result<Shape> make_shape(const machine::ShapeForm& form, const MeshFiles& files = {});
 
 /// Returns a cell with only the machine's own shapes so far. The error is a message that names the shape with
 /// the mesh that cannot be read.
-tl::expected<Cell, std::string> make_machine_cell(const machine::Machine& machine,
-                                                  const MeshFiles& files = {});
+Result<Cell> make_machine_cell(const machine::Machine& machine, const MeshFiles& files = {});
 
 }  // namespace gsim::cell

@@ -16,10 +16,8 @@ namespace {
 
 constexpr double kMinCutoff_mm = 2 * kContactTolerance_mm;
 constexpr int kMaxDepthChecks = 24;
-// Number of motions like this one for which a separation budget is sought,
+// Number of motions like this one for which a separation budget is sought.
 constexpr double kMotionsAhead = 64;
-// and the max number of checks until it is sought again.
-constexpr int kMaxPause = 64;
 
 }  // namespace
 
@@ -35,7 +33,7 @@ void ClearanceMonitor::make_pairs() {
     pairs_.clear();
     for (CandidatePair& pair : candidate_pairs(cell_, *kinematics_)) {
         const bool has_probe = is_probe(cell_, pair.items.first) != is_probe(cell_, pair.items.second);
-        const bool feels = has_probe && !pair.with_jet;
+        const bool feels = has_probe && !pair.includes_jet;
         pairs_.push_back({std::move(pair), feels});
     }
     make_clusters();
@@ -46,10 +44,10 @@ void ClearanceMonitor::make_pairs() {
 void ClearanceMonitor::make_clusters() {
     using Key = std::tuple<std::size_t, int, bool>;  // an item, a link, with the jet
     const auto first_body_key = [](const MonitoredPair& pair) {
-        return Key{pair.items.first, pair.bodies.second.link, pair.with_jet};
+        return Key{pair.items.first, pair.bodies.second.link, pair.includes_jet};
     };
     const auto second_body_key = [](const MonitoredPair& pair) {
-        return Key{pair.items.second, pair.bodies.first.link, pair.with_jet};
+        return Key{pair.items.second, pair.bodies.first.link, pair.includes_jet};
     };
     std::map<Key, std::size_t> sizes;
     for (const MonitoredPair& pair : pairs_) {
@@ -67,7 +65,7 @@ void ClearanceMonitor::make_clusters() {
             std::vector<int> between = pair.bodies.between;
             if (second) std::reverse(between.begin(), between.end());
             clusters_.push_back(
-                {second ? pair.bodies.second : pair.bodies.first, std::move(between), pair.with_jet});
+                {second ? pair.bodies.second : pair.bodies.first, std::move(between), pair.includes_jet});
         }
         pair.cluster = cluster->second;
         clusters_[pair.cluster].pairs.push_back(i);
@@ -110,20 +108,20 @@ void ClearanceMonitor::on_frames_changed() {
 
 void ClearanceMonitor::on_segment(const motion::Segment& segment, bool process_on, bool probing) {
     if (has_ended()) return;
-    probing_ = probing;
+    is_probing_ = probing;
     if (fits_budget(segment, process_on)) {
-        ++stretch_;
+        ++sub_segment_number_;
         return;
     }
     add_budget_travel();
     double from_s = 0;
     double to_s = 0;
     do {
-        to_s = stretch_end_s(segment, from_s);
+        to_s = sub_segment_end_s(segment, from_s);
         const std::vector<MovingLink> links =
             update_moving_links(segment.start_s + from_s + (to_s - from_s) / 2);
         const SegmentMotion motion(*kinematics_, segment, links);
-        check_stretch(motion, motion.between(from_s, to_s), process_on);
+        check_sub_segment(motion, motion.between(from_s, to_s), process_on);
         from_s = to_s;
     } while (to_s < segment.duration_s);
 }
@@ -142,10 +140,7 @@ void ClearanceMonitor::add_budget_travel() {
 /// No separation budget exists next to something, which is checked the more seldom the longer it lasts.
 /// Independent motion is not counted.
 bool ClearanceMonitor::should_search_budget() {
-    if (!cell_.moving_frames.empty() || budget_pause_-- > 0) return false;
-    budget_pause_ = next_pause_;
-    next_pause_ = std::min(2 * next_pause_, kMaxPause);
-    return true;
+    return cell_.moving_frames.empty() && budget_backoff_.is_due();
 }
 
 /// Sets how far all may move after a stretch before one of the pairs is due.
@@ -166,20 +161,20 @@ void ClearanceMonitor::update_budget(const MotionPart& motion_part, bool process
     }
     budget_.set(budget_mm, reach_mm, travel_mm);
     budget_with_jet_ = process_on;
-    budget_pause_ = 0;
-    next_pause_ = 1;
+    budget_backoff_.reset();
 }
 
-void ClearanceMonitor::check_stretch(const SegmentMotion& motion, const MotionPart& motion_part,
-                                     bool process_on) {
-    ++stretch_;
+void ClearanceMonitor::check_sub_segment(const SegmentMotion& motion, const MotionPart& motion_part,
+                                         bool process_on) {
+    ++sub_segment_number_;
     const bool searches_budget = should_search_budget();
     collect_due_pairs(motion_part, process_on, searches_budget);
     for (const std::size_t i : due_pairs_) {
         MonitoredPair& pair = pairs_[i];
         PairCluster& cluster = clusters_[pair.cluster];
-        if (pair.checked_stretch + 1 != stretch_) pair.was_probed = false;  // it was far meanwhile
-        pair.checked_stretch = stretch_;
+        if (pair.checked_sub_segment + 1 != sub_segment_number_)
+            pair.was_probed = false;  // it was far meanwhile
+        pair.checked_sub_segment = sub_segment_number_;
         monitor_pair(motion, motion_part, pair);
         cluster.scheduled_pairs.push({cluster.travelled_mm + pair.min_distance_mm, i});
     }
@@ -191,7 +186,7 @@ void ClearanceMonitor::collect_due_pairs(const MotionPart& motion_part, bool pro
     due_pairs_.clear();
     double max_travel_mm = 0;
     for (PairCluster& cluster : clusters_) {
-        if (cluster.with_jet && !process_on) {
+        if (cluster.includes_jet && !process_on) {
             deactivate(cluster);
             continue;
         }
@@ -226,7 +221,7 @@ double ClearanceMonitor::cutoff_mm() const {
 }
 
 /// Returns the time at which independent links next change their motion, or the segment ends.
-double ClearanceMonitor::stretch_end_s(const motion::Segment& segment, double from_s) const {
+double ClearanceMonitor::sub_segment_end_s(const motion::Segment& segment, double from_s) const {
     double end_s = segment.duration_s;
     for (const MovingFrame& moving_frames : cell_.moving_frames) {
         const auto change_s = moving_frames.trajectory.next_change_s(segment.start_s + from_s);
@@ -271,7 +266,7 @@ void ClearanceMonitor::monitor_pair(const SegmentMotion& motion, const MotionPar
     pair.min_distance_mm = distance_bounds.lower_mm;
     const bool is_exempt = is_exempt_probe_pair(full_motion, pair);
     if (distance_bounds.lower_mm <= kContactTolerance_mm) {
-        if (probing_ && pair.has_probe) {
+        if (is_probing_ && pair.has_probe) {
             begin_probe_contact(motion, full_motion, pair);
         } else {
             begin_contact(motion, full_motion, pair);
@@ -300,10 +295,10 @@ void ClearanceMonitor::note(const DistanceBounds& distance_bounds, const Monitor
 
 /// True if a pair may come near in a part because of the probe.
 bool ClearanceMonitor::is_exempt_probe_pair(const MotionPart& full_motion, MonitoredPair& pair) const {
-    if (!pair.has_probe || !(probing_ || pair.was_probed)) return false;
+    if (!pair.has_probe || !(is_probing_ || pair.was_probed)) return false;
     const double clearance_mm = std::max(cell_.clearance_mm, kMinCutoff_mm);
     pair.was_probed =
-        probing_ || pair.bodies.distance_at(full_motion.from, clearance_mm).lower_mm < clearance_mm;
+        is_probing_ || pair.bodies.distance_at(full_motion.from, clearance_mm).lower_mm < clearance_mm;
     return pair.was_probed;
 }
 
@@ -334,8 +329,8 @@ void ClearanceMonitor::continue_probe_contact(const SegmentMotion& motion, const
                                               MonitoredPair& pair) {
     pair.min_distance_mm = 0;
     const ProbeContact& contact_state = *pair.probe_touch;
-    if (!probing_ && pair.bodies.deepens(motion, full_motion.from_s, full_motion.to_s, contact_state.normal,
-                                         contact_state.depth_mm)) {
+    if (!is_probing_ && pair.bodies.penetration_increases(motion, full_motion.from_s, full_motion.to_s,
+                                                          contact_state.normal, contact_state.depth_mm)) {
         pair.normal = pair.probe_touch->normal;
         pair.contact = contacts_.size();
         const Eigen::Vector3d point =
@@ -346,7 +341,7 @@ void ClearanceMonitor::continue_probe_contact(const SegmentMotion& motion, const
     }
     if (!pair.bodies.are_in_contact(full_motion.to)) {
         pair.probe_touch.reset();
-    } else if (probing_) {
+    } else if (is_probing_) {
         ProbeContact& probe_touch = *pair.probe_touch;
         const Eigen::Isometry3d pose = pair.bodies.second.pose_in_world(full_motion.to).inverse() *
                                        pair.bodies.first.pose_in_world(full_motion.to);
@@ -366,8 +361,8 @@ void ClearanceMonitor::continue_contact(const SegmentMotion& motion, const Motio
                                         MonitoredPair& pair, double from_s) {
     Contact& contact = contacts_[*pair.contact];
     note({0, 0, contact.point_mm}, pair, motion, full_motion);
-    contact.penetrating =
-        contact.penetrating || pair.bodies.deepens(motion, from_s, full_motion.to_s, *pair.normal);
+    contact.penetrating = contact.penetrating ||
+                          pair.bodies.penetration_increases(motion, from_s, full_motion.to_s, *pair.normal);
     pair.min_distance_mm = 0;
     if (!pair.bodies.are_in_contact(full_motion.to)) pair.contact.reset();
 }

@@ -8,6 +8,7 @@
 
 #include "base/os/cpu_limit.h"
 #include "collision/cell/cell.h"
+#include "collision/monitor/search_backoff.h"
 #include "collision/pairs/candidate_pairs.h"
 #include "collision/pairs/segment_motion.h"
 #include "collision/pairs/separation_budget.h"
@@ -46,7 +47,7 @@ class ClearanceMonitor {
     /// on. A touch after that counts as another contact.
     void on_frames_changed();
     /// Ends all checks after that time is used up. Null: never. `cpu` outlives this.
-    void set_time_limit(os::CpuLimit* cpu) { cpu_ = cpu; }
+    void set_time_limit(os::CpuLimit* cpu) { cpu_limit_ = cpu; }
     /// Finds from now on the time of the smallest distance of a block, which takes a search for each.
     void record_times() { records_times_ = true; }
     /// Starts another block with the segments that follow.
@@ -63,6 +64,9 @@ class ClearanceMonitor {
     const std::optional<Clearance>& nearest() const { return nearest_; }
 
   private:
+    /// Max number of checks until a separation budget is sought again.
+    static constexpr int kMaxPause = 64;
+
     /// Contact that a probe was to make.
     struct ProbeContact {
         Eigen::Vector3d normal;              ///< Out of the second body, in its frame.
@@ -78,7 +82,7 @@ class ClearanceMonitor {
         std::optional<ProbeContact> probe_touch = std::nullopt;  ///< By a probe, until they part.
         bool was_probed = false;                                 ///< And until they are far from each other.
         std::size_t cluster = 0;                                 ///< In clusters_.
-        std::size_t checked_stretch = 0;  ///< The stretch in which it was last looked at.
+        std::size_t checked_sub_segment = 0;  ///< The stretch in which it was last looked at.
     };
     /// Distance, and a pair that comes no nearer before its pair cluster has moved so far.
     struct ScheduledPair {
@@ -92,7 +96,7 @@ class ClearanceMonitor {
     struct PairCluster {
         Body body;
         std::vector<int> between;  ///< From the body's link on.
-        bool with_jet;             ///< All of them, or none.
+        bool includes_jet;         ///< All of them, or none.
         bool is_off = false;       ///< They wait for the jet.
         std::vector<std::size_t> pairs = {};
         double travelled_mm = 0;
@@ -101,18 +105,18 @@ class ClearanceMonitor {
     };
 
     void make_pairs();
-    bool has_ended() const { return cpu_ != nullptr && cpu_->reached(); }
+    bool has_ended() const { return cpu_limit_ != nullptr && cpu_limit_->reached(); }
     void make_clusters();
     void reset_distances(PairCluster& cluster);
     void deactivate(PairCluster& cluster);
-    void check_stretch(const SegmentMotion& motion, const MotionPart& motion_part, bool process_on);
+    void check_sub_segment(const SegmentMotion& motion, const MotionPart& motion_part, bool process_on);
     void collect_due_pairs(const MotionPart& motion_part, bool process_on, bool with_margin);
     void collect_due_pairs(PairCluster& cluster);
     bool fits_budget(const motion::Segment& segment, bool process_on);
     void add_budget_travel();
     bool should_search_budget();
     void update_budget(const MotionPart& motion_part, bool process_on);
-    double stretch_end_s(const motion::Segment& segment, double from_s) const;
+    double sub_segment_end_s(const motion::Segment& segment, double from_s) const;
     std::vector<MovingLink> update_moving_links(double time_s);
     void monitor_pair(const SegmentMotion& motion, const MotionPart& full_motion, MonitoredPair& pair);
     void raise_min_distance(const MotionPart& full_motion, MonitoredPair& pair) const;
@@ -135,17 +139,16 @@ class ClearanceMonitor {
     std::vector<MonitoredPair> pairs_;
     std::vector<PairCluster> clusters_;
     std::vector<std::size_t> due_pairs_;  ///< Pairs to check in a stretch, in their order.
-    std::size_t stretch_ = 0;             ///< Counted from 1.
+    std::size_t sub_segment_number_ = 0;  ///< Counted from 1.
     SeparationBudget budget_;             ///< For all pairs that count while the jet state is unchanged.
     bool budget_with_jet_ = false;
-    int budget_pause_ = 0;  ///< Checks until the next search for it,
-    int next_pause_ = 1;    ///< and the next such count, if no budget was found.
+    SearchBackoff budget_backoff_{kMaxPause};
     double margin_mm_ = 0;  ///< Pairs that are due within that much more are looked at in this stretch.
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;
     bool records_times_ = false;
-    os::CpuLimit* cpu_ = nullptr;
-    bool probing_ = false;  ///< In the segment that is looked at.
+    os::CpuLimit* cpu_limit_ = nullptr;
+    bool is_probing_ = false;  ///< In the segment that is looked at.
 };
 
 }  // namespace gsim::cell

@@ -39,17 +39,15 @@ std::optional<Obstacle> find_obstacle(const CandidatePair& pair, const LinkMotio
 CollisionChecker::CollisionChecker(const Cell& cell, std::shared_ptr<const kinematics::Kinematics> kinematics)
     : cell_(&cell), kinematics_(std::move(kinematics)) {
     for (CandidatePair& pair : candidate_pairs(cell, *kinematics_)) {
-        if (!pair.with_jet) pairs_.push_back(std::move(pair));
+        if (!pair.includes_jet) pairs_.push_back(std::move(pair));
     }
 }
 
-tl::expected<CollisionChecker, std::string> CollisionChecker::make(const Cell& cell,
-                                                                   const machine::Machine& machine) {
+Result<CollisionChecker> CollisionChecker::make(const Cell& cell, const machine::Machine& machine) {
     if (!cell.moving_frames.empty()) {
-        return tl::unexpected<std::string>(
-            "there is no way round the bodies of a cell in which frames go by themselves (on conveyors, or "
-            "led "
-            "by a program)");
+        return Unexpected(
+            "a collision-free path cannot be found in a cell with frames that move independently (on "
+            "conveyors, or moved by a program)");
     }
     return CollisionChecker(cell, placed_kinematics(machine::make_kinematics(machine), cell.frames));
 }

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "collision/cell/cell.h"
 #include "collision/pairs/candidate_pairs.h"
 #include "motion/segment/segment.h"
@@ -28,8 +27,7 @@ class CollisionChecker {
   public:
     /// Makes the check. `cell` and `machine`, for which it was read, must outlive this; its frames keep their
     /// positions. The error is a message: some of them move independently.
-    static tl::expected<CollisionChecker, std::string> make(const Cell& cell,
-                                                            const machine::Machine& machine);
+    static Result<CollisionChecker> make(const Cell& cell, const machine::Machine& machine);
 
     /// Returns two bodies that come nearer to each other than requested, if any do. `distance_mm` is theirs
     /// at `t_s` since the start of the segment, which need not be the time of the smallest distance.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kContactDistance_mm = 2 * kContactTolerance_mm;
 // Distances are searched up to the travel of this many stretches like the current one.
-constexpr double kStretchesAhead = 64;
+constexpr double kSubSegmentsAhead = 64;
 // Min and max of that search distance. The minimum avoids repeated checks of pairs that hardly move.
 constexpr double kMinAhead_mm = 1;
 constexpr double kMaxAhead_mm = 1000;
@@ -75,12 +75,12 @@ void NeighbourMonitor::reset_distances() {
 
 void NeighbourMonitor::on_segment(double start_s, double duration_s, const ActiveSegment& first,
                                   const ActiveSegment& second) {
-    if (pairs_.empty() || (cpu_ != nullptr && cpu_->reached())) return;
+    if (pairs_.empty() || (cpu_limit_ != nullptr && cpu_limit_->reached())) return;
     const std::array jets{first.process_on, second.process_on};
     if (std::exchange(jets_, jets) != jets) reset_distances();
     const std::array motion_parts{
-        MachineMotion{*machines_[0]->kinematics, worlds_[0], first.segment, first.from_s},
-        MachineMotion{*machines_[1]->kinematics, worlds_[1], second.segment, second.from_s}};
+        MachineMotion{*machines_[0]->kinematics, world_frames_[0], first.segment, first.from_s},
+        MachineMotion{*machines_[1]->kinematics, world_frames_[1], second.segment, second.from_s}};
     const std::array travels{motion_parts[0].travel(0, duration_s), motion_parts[1].travel(0, duration_s)};
     if (stays_clear(travels)) return;
     measure_reaches(motion_parts, 0);
@@ -121,7 +121,7 @@ void NeighbourMonitor::check_pairs(double start_s, const TwoMachinesMotion& moti
          scheduled_pairs_.pop())
         due_pairs_.push_back(scheduled_pairs_.top().pair);
     std::sort(due_pairs_.begin(), due_pairs_.end());
-    const double search_limit_mm = std::clamp(kStretchesAhead * travel_mm, kMinAhead_mm, kMaxAhead_mm);
+    const double search_limit_mm = std::clamp(kSubSegmentsAhead * travel_mm, kMinAhead_mm, kMaxAhead_mm);
     for (const std::size_t i : due_pairs_)
         scheduled_pairs_.push(
             {travelled_mm_ + check_ahead(start_s, motion, full_motion, pairs_[i], search_limit_mm), i});
@@ -145,8 +145,8 @@ double NeighbourMonitor::check_ahead(double start_s, const TwoMachinesMotion& mo
         contacts_.push_back({start_s + from_s, pair.items, touch->point_mm, !touch->normal});
     }
     Contact& contact = contacts_[*pair.contact];
-    contact.penetrating =
-        contact.penetrating || pair.bodies.deepens(motion, from_s, full_motion.to_s, *pair.normal);
+    contact.penetrating = contact.penetrating ||
+                          pair.bodies.penetration_increases(motion, from_s, full_motion.to_s, *pair.normal);
     if (!pair.bodies.are_in_contact(full_motion.to)) pair.contact.reset();
     return 0;
 }

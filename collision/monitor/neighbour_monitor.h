@@ -28,13 +28,13 @@ class NeighbourMonitor {
 
     /// Sets the poses of the machines' worlds in the common world.
     NeighbourMonitor(const rrs::CartPos& first_world, const rrs::CartPos& second_world)
-        : worlds_{first_world, second_world} {}
+        : world_frames_{first_world, second_world} {}
 
     /// Sets the bodies to check from now on: at first, and after frames have been moved. Bodies that touch
     /// then count as another contact.
     void set_bodies(std::shared_ptr<const MachineBodies> first, std::shared_ptr<const MachineBodies> second);
     /// Ends all checks once that CPU time is used up. Null: never. `cpu` outlives this.
-    void set_time_limit(os::CpuLimit* cpu) { cpu_ = cpu; }
+    void set_time_limit(os::CpuLimit* cpu) { cpu_limit_ = cpu; }
     /// Checks the motion of both for that duration, from `start_s` of the run's clock on.
     void on_segment(double start_s, double duration_s, const ActiveSegment& first,
                     const ActiveSegment& second);
@@ -71,7 +71,7 @@ class NeighbourMonitor {
     double check_ahead(double start_s, const TwoMachinesMotion& motion, const MotionPart& full_motion,
                        MonitoredPair& pair, double search_limit_mm);
 
-    std::array<rrs::CartPos, 2> worlds_;
+    std::array<rrs::CartPos, 2> world_frames_;
     std::array<std::shared_ptr<const MachineBodies>, 2> machines_;
     std::array<ReachBound, 2> reaches_;
     std::array<bool, 2> jets_{};  ///< That are on.
@@ -80,7 +80,7 @@ class NeighbourMonitor {
     ScheduleQueue scheduled_pairs_;
     std::vector<std::size_t> due_pairs_;  ///< Pairs to check in a stretch, in their order.
     std::vector<Contact> contacts_;
-    os::CpuLimit* cpu_ = nullptr;
+    os::CpuLimit* cpu_limit_ = nullptr;
 };
 
 }  // namespace gsim::cell

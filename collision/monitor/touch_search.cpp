@@ -11,7 +11,7 @@ namespace gsim::cell {
 
 namespace {
 
-constexpr double kTipDiameter_mm = 1e-6;  // the diameter of a point
+constexpr double kProbePointDiameter_mm = 1e-6;  // the diameter of a point
 constexpr double kCheckStep_mm = 0.01;
 constexpr double kCheckStep_rad = 1e-4;  // rad, if all motion is rotation
 constexpr double kMaxChecks = 100'000;
@@ -35,29 +35,29 @@ bool is_probe(const Cell& cell, std::size_t item) {
     return frame == tool;
 }
 
-tl::expected<TouchSearch, std::string> TouchSearch::make(const Cell& cell, const machine::Machine& machine,
-                                                         const Eigen::Vector3d& tcp_mm) {
+Result<TouchSearch> TouchSearch::make(const Cell& cell, const machine::Machine& machine,
+                                      const Eigen::Vector3d& tcp_mm) {
     if (!cell.moving_frames.empty()) {
-        return tl::unexpected<std::string>(
-            "a probe cannot feel the bodies of a cell in which frames go by themselves (on conveyors, or led "
-            "by a program); on_probe of a script, or --probe, says where it touches");
+        return Unexpected(
+            "a probe cannot detect the bodies of a cell with frames that move independently (on conveyors, "
+            "or moved by a program); on_probe of a script, or --probe, defines the contact");
     }
     TouchSearch search(placed_kinematics(machine::make_kinematics(machine), cell.frames));
     bool has_body = false;
     for (std::size_t item = 0; item < cell.items.size(); ++item) has_body = has_body || is_probe(cell, item);
     if (!has_body) {
-        search.add_tip_pairs(cell, tcp_mm);
+        search.add_probe_point_pairs(cell, tcp_mm);
         return search;
     }
     for (CandidatePair& pair : candidate_pairs(cell, *search.kinematics_)) {
-        if (!pair.with_jet && is_probe(cell, pair.items.first) != is_probe(cell, pair.items.second))
+        if (!pair.includes_jet && is_probe(cell, pair.items.first) != is_probe(cell, pair.items.second))
             search.pairs_.push_back(std::move(pair.bodies));
     }
     return search;
 }
 
-void TouchSearch::add_tip_pairs(const Cell& cell, const Eigen::Vector3d& tcp_mm) {
-    probe_point_ = std::make_shared<const Shape>(Shape::sphere(kTipDiameter_mm));
+void TouchSearch::add_probe_point_pairs(const Cell& cell, const Eigen::Vector3d& tcp_mm) {
+    probe_point_ = std::make_shared<const Shape>(Shape::sphere(kProbePointDiameter_mm));
     const std::size_t tool = *cell.frames.find("tool");
     const Body probe_point_body{probe_point_.get(), cell.frames.link(tool),
                                 cell.frames.pose_in_link(tool) * Eigen::Translation3d(tcp_mm)};

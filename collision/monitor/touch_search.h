@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "collision/cell/cell.h"
 #include "collision/pairs/candidate_pairs.h"
 
@@ -24,8 +23,8 @@ class TouchSearch {
     /// Makes the search. `cell` and `machine`, for which it was read, must outlive this; its frames stay
     /// unchanged. `tcp_mm` is the tool tip in the frame of the tool centre point. The error is a message: a
     /// cell with independently moving frames allows no search.
-    static tl::expected<TouchSearch, std::string> make(const Cell& cell, const machine::Machine& machine,
-                                                       const Eigen::Vector3d& tcp_mm);
+    static Result<TouchSearch> make(const Cell& cell, const machine::Machine& machine,
+                                    const Eigen::Vector3d& tcp_mm);
 
     /// Returns true if the probe touches something at these joint values, in mm and rad.
     bool touches(const rrs::JointPos& joints) const;
@@ -38,7 +37,7 @@ class TouchSearch {
   private:
     explicit TouchSearch(std::shared_ptr<const kinematics::Kinematics> kinematics)
         : kinematics_(std::move(kinematics)) {}
-    void add_tip_pairs(const Cell& cell, const Eigen::Vector3d& tcp_mm);
+    void add_probe_point_pairs(const Cell& cell, const Eigen::Vector3d& tcp_mm);
 
     std::shared_ptr<const kinematics::Kinematics> kinematics_;
     std::shared_ptr<const Shape> probe_point_;

@@ -50,7 +50,7 @@ struct PendingPart {
 DistanceBounds BodyPair::distance_at(const LinkFrames& links, double cutoff_mm) const {
     const Isometry3d fixed = second.pose_in_world(links);
     const Isometry3d pose = fixed.inverse() * first.pose_in_world(links);
-    const Gap gap = gap_between(*first.shape, pose, *second.shape, cutoff_mm);
+    const Gap gap = shape_distance(*first.shape, pose, *second.shape, cutoff_mm);
     return {gap.lower_mm, gap.upper_mm, fixed * gap.on_second};
 }
 
@@ -73,7 +73,7 @@ DistanceBounds BodyPair::distance_in(const MotionPart& part, double cutoff_mm) c
                     bounding_box(*second.shape, Isometry3d::Identity())) -
         deviation_mm;
     if (far_mm >= cutoff_mm) return {far_mm, far_mm};
-    const Gap gap = gap_between(*first.shape, from, to, *second.shape, cutoff_mm + deviation_mm);
+    const Gap gap = shape_distance(*first.shape, from, to, *second.shape, cutoff_mm + deviation_mm);
     // On a straight path without rotation, the hull is exactly the volume that the body passes.
     const double upper_mm = deviation_mm > 0 ? cutoff_mm : gap.upper_mm;
     return {std::max(0.0, gap.lower_mm - deviation_mm), upper_mm, fixed * gap.on_second};
@@ -82,12 +82,12 @@ DistanceBounds BodyPair::distance_in(const MotionPart& part, double cutoff_mm) c
 bool BodyPair::overlaps(const LinkFrames& links, const Vector3d& normal, double offset_mm) const {
     Isometry3d pose = second.pose_in_world(links).inverse() * first.pose_in_world(links);
     pose.pretranslate((offset_mm + kSeparation_mm) * normal);
-    return gap_between(*first.shape, pose, *second.shape, kContactTolerance_mm).upper_mm <
+    return shape_distance(*first.shape, pose, *second.shape, kContactTolerance_mm).upper_mm <
            kContactTolerance_mm;
 }
 
-bool BodyPair::deepens(const LinkMotion& motion, double from_s, double to_s, const Vector3d& normal,
-                       double offset_mm) const {
+bool BodyPair::penetration_increases(const LinkMotion& motion, double from_s, double to_s,
+                                     const Vector3d& normal, double offset_mm) const {
     double sample_offset_s = to_s - from_s;
     for (int evaluation = 0; evaluation < kMaxOverlapChecks; ++evaluation, sample_offset_s /= 2) {
         if (overlaps(motion.links_at(from_s + sample_offset_s), normal, offset_mm)) return true;
@@ -130,15 +130,15 @@ DistanceBounds BodyPair::nearest(const LinkMotion& motion, const MotionPart& par
 // As first_touch().
 std::optional<double> BodyPair::first_within_s(const LinkMotion& motion, const MotionPart& part,
                                                double distance_mm) const {
-    constexpr double kSame_mm = 1e-3;
+    constexpr double kSamePoint_mm = 1e-3;
     constexpr double kMinDuration_s = 1e-6;
-    const double cutoff_mm = distance_mm + 2 * kSame_mm;
+    const double cutoff_mm = distance_mm + 2 * kSamePoint_mm;
     std::vector<MotionPart> waiting{part};
     for (int parts = 0; !waiting.empty() && parts < kMaxMotionParts; ++parts) {
         const MotionPart next = std::move(waiting.back());
         waiting.pop_back();
-        if (distance_in(next, cutoff_mm).lower_mm > distance_mm + kSame_mm) continue;
-        if (distance_at(next.from, cutoff_mm).upper_mm <= distance_mm + kSame_mm) return next.from_s;
+        if (distance_in(next, cutoff_mm).lower_mm > distance_mm + kSamePoint_mm) continue;
+        if (distance_at(next.from, cutoff_mm).upper_mm <= distance_mm + kSamePoint_mm) return next.from_s;
         if (next.to_s - next.from_s <= kMinDuration_s) return next.to_s;
         const LinkFrames middle = motion.links_at(next.middle_s());
         waiting.push_back(motion.second_half(next, middle));
@@ -158,7 +158,7 @@ std::optional<Touch> BodyPair::first_touch(const LinkMotion& motion, const Motio
         if (distance_in(next, 2 * kContactTolerance_mm).lower_mm > kContactTolerance_mm) continue;
         const Isometry3d fixed = second.pose_in_world(next.from);
         const Isometry3d pose = fixed.inverse() * first.pose_in_world(next.from);
-        const Gap gap = gap_between(*first.shape, pose, *second.shape, kNormalRange_mm);
+        const Gap gap = shape_distance(*first.shape, pose, *second.shape, kNormalRange_mm);
         touch.t_s = next.from_s;
         if (gap.upper_mm < kNormalRange_mm) {
             touch.point_mm = fixed * gap.on_second;

@@ -20,7 +20,7 @@ struct Body {
     Eigen::Isometry3d pose_in_world(const LinkFrames& links) const {
         return links[static_cast<std::size_t>(link)] * pose_in_link;
     }
-    Ball ball(const LinkFrames& links) const {
+    BoundingSphere ball(const LinkFrames& links) const {
         return {pose_in_world(links) * shape->middle_mm(), shape->radius_mm()};
     }
 };
@@ -64,8 +64,8 @@ struct BodyPair {
     bool overlaps(const LinkFrames& links, const Eigen::Vector3d& normal, double offset_mm = 0) const;
     /// Returns true if they do so at some time between two of a motion; at the first they touch. Most bodies
     /// that go deeper do so soon, so early checks are closer to each other.
-    bool deepens(const LinkMotion& motion, double from_s, double to_s, const Eigen::Vector3d& normal,
-                 double offset_mm = 0) const;
+    bool penetration_increases(const LinkMotion& motion, double from_s, double to_s,
+                               const Eigen::Vector3d& normal, double offset_mm = 0) const;
     /// Returns true if they are in contact at one instant.
     bool are_in_contact(const LinkFrames& links) const {
         return distance_at(links, 2 * kContactTolerance_mm).upper_mm <= kContactTolerance_mm;

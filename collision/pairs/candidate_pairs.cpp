@@ -111,7 +111,7 @@ std::vector<CandidatePair> candidate_pairs(const Cell& cell, const kinematics::K
     return pairs;
 }
 
-std::optional<std::string> check_pair_count(std::span<const Item> items, const FrameTree& frames) {
+std::optional<Error> find_pair_count_error(std::span<const Item> items, const FrameTree& frames) {
     std::map<int, std::size_t> count_on_link;
     for (const Item& item : items) ++count_on_link[frames.link(item.frame)];
     std::size_t pairs = 0;
@@ -122,8 +122,8 @@ std::optional<std::string> check_pair_count(std::span<const Item> items, const F
     }
     if (pairs <= kMaxCandidatePairs) return std::nullopt;
     return fmt::format(
-        "{} bodies are {} pairs on parts that move against each other; up to {} can be watched", items.size(),
-        pairs, kMaxCandidatePairs);
+        "{} bodies form {} pairs on parts that move relative to each other; at most {} can be monitored",
+        items.size(), pairs, kMaxCandidatePairs);
 }
 
 }  // namespace gsim::cell

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "collision/cell/cell.h"
 #include "collision/pairs/body_pair.h"
 
@@ -19,16 +20,15 @@ struct ItemPair {
 /// Candidate pair: two bodies of a cell that may meet.
 struct CandidatePair {
     ItemPair items;
-    bool with_jet;
+    bool includes_jet;
     BodyPair bodies;
 };
 
 /// Max number of body pairs that are monitored, some 500 bytes each.
 inline constexpr std::size_t kMaxCandidatePairs = 1'000'000;
 
-/// Returns a message why these are too many items: pairs on different links may meet. Returns nullopt if they
-/// are not too many.
-std::optional<std::string> check_pair_count(std::span<const Item> items, const FrameTree& frames);
+/// Returns an error if these are too many items: pairs on different links may meet.
+std::optional<Error> find_pair_count_error(std::span<const Item> items, const FrameTree& frames);
 
 /// Returns an item of a cell as a body on its link. The cell must outlive it.
 Body make_body(const Cell& cell, std::size_t item);

@@ -107,7 +107,7 @@ class PairSearch {
 
     void sample() {
         int contacts = 0;
-        double nearest_home = kUnbounded_mm;
+        double home_distance = kUnbounded_mm;
         for (int number = 0; number <= kSamples; ++number) {
             const rrs::JointPos joints = number == 0 ? home_ : sample_joints(number);
             const double cutoff_mm = contacts > 0 ? 2 * kContactTolerance_mm : finding_.nearest_mm;
@@ -115,8 +115,8 @@ class PairSearch {
             if (current.upper_mm <= kContactTolerance_mm) {
                 ++contacts;
                 const double distance = distance_from_home(joints);
-                if (distance >= nearest_home) continue;
-                nearest_home = distance;
+                if (distance >= home_distance) continue;
+                home_distance = distance;
                 finding_.nearest_mm = current.upper_mm;
                 finding_.joints = joints;
             } else if (contacts == 0) {
@@ -184,14 +184,14 @@ class PairSearch {
     BoxCheck evaluate(const JointBoxPart& part) {
         const LinkFrames links = link_frames(kinematics_, part.middle);
         const std::vector<JointAxis> axes = joint_axes(kinematics_, part.middle);
-        const Ball first = bodies_.first.ball(links);
-        const Ball second = bodies_.second.ball(links);
+        const BoundingSphere first = bodies_.first.ball(links);
+        const BoundingSphere second = bodies_.second.ball(links);
         JointTravel travel;
         for (const int joint : joints_) travel.distance[static_cast<std::size_t>(joint)] = part.half[joint];
         const ChainMotion chain(axes, travel);
         const double travel_mm =
             std::min(chain.bound(first, joints_).travel_mm, chain.bound(second, reversed_joints_).travel_mm);
-        const Gap current = gap_at(links, travel_mm + 2 * kContactTolerance_mm);
+        const Gap current = shape_distance_at(links, travel_mm + 2 * kContactTolerance_mm);
         if (current.upper_mm < travel_mm + 2 * kContactTolerance_mm) note(current.upper_mm, part.middle);
         if (current.upper_mm <= kContactTolerance_mm) finding_.verdict = Verdict::contact;
         BoxCheck found{joints_.front(), std::max(part.lower_mm, current.lower_mm - travel_mm)};
@@ -207,7 +207,7 @@ class PairSearch {
         std::reverse(second_travels_mm.begin(), second_travels_mm.end());
         const bool first_is_smaller = sum(first_travels_mm) < sum(second_travels_mm);
         const std::vector<double>& min = first_is_smaller ? first_travels_mm : second_travels_mm;
-        const double gap_mm = gap_along_mm(bodies_.first, bodies_.second, links, across);
+        const double gap_mm = distance_along_mm(bodies_.first, bodies_.second, links, across);
         found.lower_mm = std::max(found.lower_mm, gap_mm - sum(min));
         found.joint =
             joints_[static_cast<std::size_t>(std::max_element(min.begin(), min.end()) - min.begin())];
@@ -215,10 +215,10 @@ class PairSearch {
     }
 
     // Returns the gap in the frame of the second body.
-    Gap gap_at(const LinkFrames& links, double cutoff_mm) const {
+    Gap shape_distance_at(const LinkFrames& links, double cutoff_mm) const {
         const Eigen::Isometry3d pose =
             bodies_.second.pose_in_world(links).inverse() * bodies_.first.pose_in_world(links);
-        return gap_between(*bodies_.first.shape, pose, *bodies_.second.shape, cutoff_mm);
+        return shape_distance(*bodies_.first.shape, pose, *bodies_.second.shape, cutoff_mm);
     }
 
     const kinematics::Kinematics& kinematics_;
@@ -238,7 +238,7 @@ std::vector<PairFinding> search_joint_box(const Cell& cell, const machine::Machi
     const rrs::JointPos home = machine::home_position(machine);
     std::vector<PairFinding> findings;
     for (const CandidatePair& pair : candidate_pairs(cell, *kinematics)) {
-        if (!pair.with_jet) findings.push_back(PairSearch(*kinematics, pair, box, home).run());
+        if (!pair.includes_jet) findings.push_back(PairSearch(*kinematics, pair, box, home).run());
     }
     return findings;
 }

@@ -10,13 +10,13 @@ namespace {
 constexpr double kOrthogonal = 1e-9;
 
 /// Returns the max distance of a body's points from an axis.
-double reach(const Ball& body, const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis) {
+double reach(const BoundingSphere& body, const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis) {
     return axis.cross(body.middle_mm - point_mm).norm() + body.radius_mm;
 }
 
 /// Prismatic joints that follow each other. Their distances add up at right angles or, if they are not at
 /// right angles, one after the other.
-class Slides {
+class SlideSum {
   public:
     void add(const Eigen::Vector3d& direction, double travel_mm) {
         for (int i = 0; i < count_; ++i) {
@@ -52,7 +52,7 @@ class Slides {
 /// Sum over the joints, from the body on.
 class BoundSum {
   public:
-    explicit BoundSum(const Ball& body) : body_(body) {}
+    explicit BoundSum(const BoundingSphere& body) : body_(body) {}
 
     void slide(const Eigen::Vector3d& direction, double travel_mm, double deviation_mm) {
         slides_.add(direction, travel_mm);
@@ -64,39 +64,39 @@ class BoundSum {
     }
     /// Adds a slide in any direction.
     void link_travel(double travel_mm) {
-        end_slides();
+        close_slides();
         bound_.travel_mm += travel_mm;
     }
     void turn(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis, double angle, double deviation) {
-        end_slides();
+        close_slides();
         const double reach_mm = reach(body_, point_mm, axis) + bound_.travel_mm;
         second_order_ += angle * (2 * bound_.travel_mm + angle * reach_mm);
         bound_.deviation_mm += deviation * reach_mm;
         bound_.travel_mm += angle * reach_mm;
     }
     /// Closes the current slides, because later ones do not add up with them.
-    void end_slides() {
+    void close_slides() {
         bound_.travel_mm += slides_.travel_mm();
         bound_.deviation_mm += slide_deviations_.travel_mm();
         slides_ = slide_deviations_ = {};
     }
     MotionBound result() {
-        end_slides();
+        close_slides();
         bound_.deviation_mm += second_order_ / 8;
         return bound_;
     }
 
   private:
-    const Ball& body_;
+    const BoundingSphere& body_;
     MotionBound bound_;
     double second_order_ = 0;
-    Slides slides_;
-    Slides slide_deviations_;
+    SlideSum slides_;
+    SlideSum slide_deviations_;
 };
 
 }  // namespace
 
-MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) const {
+MotionBound ChainMotion::bound(const BoundingSphere& body, std::span<const int> between) const {
     BoundSum sum(body);
     const ChainMotion* last = this;
     for (const int joint : between) {
@@ -106,7 +106,7 @@ MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) c
             chain = &second_.front();
             index -= axes_.size();
         }
-        if (chain != last) sum.end_slides();  // slides of different machines are at no known angle
+        if (chain != last) sum.close_slides();  // slides of different machines are at no known angle
         last = chain;
         if (index >= chain->axes_.size()) {
             const std::size_t drift_index = index - chain->axes_.size();
@@ -131,7 +131,8 @@ MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) c
     return sum.result();
 }
 
-void ChainMotion::expand(JointReach& reach_mm, const Ball& body, std::span<const int> between) const {
+void ChainMotion::expand(JointReach& reach_mm, const BoundingSphere& body,
+                         std::span<const int> between) const {
     for (const int joint : between) {
         const auto index = static_cast<std::size_t>(joint);
         if (index >= axes_.size() || axes_[index].kind == rrs::JointKind::prismatic) continue;

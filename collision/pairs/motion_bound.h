@@ -20,7 +20,7 @@ struct MotionBound {
 };
 
 /// Ball in the world that holds a body.
-struct Ball {
+struct BoundingSphere {
     Eigen::Vector3d middle_mm;
     double radius_mm;
 };
@@ -54,9 +54,9 @@ class ChainMotion {
     /// revolute one moves them by its angle times the reach of the body from its axis, which joints nearer to
     /// the body may lengthen. The deviation is that of x(q) by its second derivatives, an eighth of their
     /// bound, plus that of the joints' own paths.
-    MotionBound bound(const Ball& body, std::span<const int> between) const;
+    MotionBound bound(const BoundingSphere& body, std::span<const int> between) const;
     /// Enlarges the reaches of the machine's joints among these to their values at the start of the motion.
-    void expand(JointReach& reach_mm, const Ball& body, std::span<const int> between) const;
+    void expand(JointReach& reach_mm, const BoundingSphere& body, std::span<const int> between) const;
 
   private:
     std::vector<JointAxis> axes_;

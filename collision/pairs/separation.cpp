@@ -20,13 +20,13 @@ double extent_mm(const Body& body, const LinkFrames& links, const Vector3d& dire
 
 }  // namespace
 
-double gap_along_mm(const Body& first, const Body& second, const LinkFrames& links,
-                    const Vector3d& direction) {
+double distance_along_mm(const Body& first, const Body& second, const LinkFrames& links,
+                         const Vector3d& direction) {
     return -extent_mm(first, links, -direction) - extent_mm(second, links, direction);
 }
 
-std::vector<double> travels_along_mm(const Ball& body, const JointPart& part, std::span<const int> between,
-                                     const Vector3d& direction) {
+std::vector<double> travels_along_mm(const BoundingSphere& body, const JointPart& part,
+                                     std::span<const int> between, const Vector3d& direction) {
     const auto joint_axis = [&](int joint) -> const JointAxis& {
         return part.axes[static_cast<std::size_t>(joint)];
     };

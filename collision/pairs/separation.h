@@ -10,8 +10,8 @@ namespace gsim::cell {
 /// Returns the gap between two bodies along a unit vector in the world: the smallest coordinate of the first
 /// along it minus the largest of the second. It is below 0 if no plane across the vector separates them. For
 /// a mesh its box counts.
-double gap_along_mm(const Body& first, const Body& second, const LinkFrames& links,
-                    const Eigen::Vector3d& direction);
+double distance_along_mm(const Body& first, const Body& second, const LinkFrames& links,
+                         const Eigen::Vector3d& direction);
 
 /// Part of a box of joint values: its middle is at `axes`, and each joint moves by its half to both sides, in
 /// mm or rad.
@@ -24,7 +24,7 @@ struct JointPart {
 /// move a point of the body along a unit vector. The vector is fixed to the link after the last of them, and
 /// is `direction` in the world at the middle of the part. A joint that slides across it moves nothing along
 /// it, except as later joints turn its path. The path of a revolute joint begins across its lever.
-std::vector<double> travels_along_mm(const Ball& body, const JointPart& part, std::span<const int> between,
-                                     const Eigen::Vector3d& direction);
+std::vector<double> travels_along_mm(const BoundingSphere& body, const JointPart& part,
+                                     std::span<const int> between, const Eigen::Vector3d& direction);
 
 }  // namespace gsim::cell

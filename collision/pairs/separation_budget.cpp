@@ -21,7 +21,7 @@ double ReachBound::travel_mm(const JointTravel& travel) const {
     for (std::size_t joint = 0; joint < travel.distance.size(); ++joint) {
         if (reach_mm_[joint] > 0) {
             turn_rad += travel.distance[joint];
-            rotation_travel_mm += travel.distance[joint] * (reach_mm_[joint] + since_mm_);
+            rotation_travel_mm += travel.distance[joint] * (reach_mm_[joint] + travel_since_measured_mm_);
         } else {
             slides_mm += travel.distance[joint];
         }

@@ -13,16 +13,16 @@ class ReachBound {
     /// Sets the reaches of the joints, measured at a pose since which points have moved at most `since_mm`.
     void measure(const JointReach& reach_mm, double since_mm) {
         reach_mm_ = reach_mm;
-        since_mm_ = since_mm;
+        travel_since_measured_mm_ = since_mm;
     }
     /// Returns infinity if the joints turn so far that no bound is known.
     double travel_mm(const JointTravel& travel) const;
     /// Adds that travel of the points.
-    void advance(double travel_mm) { since_mm_ += travel_mm; }
+    void advance(double travel_mm) { travel_since_measured_mm_ += travel_mm; }
 
   private:
     JointReach reach_mm_{};
-    double since_mm_ = 0;
+    double travel_since_measured_mm_ = 0;
 };
 
 /// Separation budget: distance that a machine may move before any of its bodies can come near another one. So

@@ -158,7 +158,7 @@ std::int32_t Host::load() {
                           return RcsModule::create(library, machine);
                       });
     if (!module) {
-        copy_text(module.error(), shared_.output);
+        copy_text(module.error().message, shared_.output);
         return 1;
     }
     module_.emplace(*std::move(module));
@@ -209,8 +209,8 @@ std::int32_t Host::make_step(RcsSharedStep& step) {
     step.step = module_step;
     const bool is_valid_step = step.status == GSIM_RCS_SUCCESS || step.status == GSIM_RCS_TARGET_REACHED ||
                                step.status == GSIM_RCS_NEED_MORE_DATA;
-    const bool asks_target = is_valid_step && shared_.queries_targets != 0 && module_step.elapsed_s > 0;
-    step.target_status = asks_target ? kPending : kNotQueried;
+    const bool queries_target = is_valid_step && shared_.queries_targets != 0 && module_step.elapsed_s > 0;
+    step.target_status = queries_target ? kPending : kNotQueried;
     return step.status;
 }
 
@@ -238,7 +238,7 @@ int run(const std::string& path) {
     const int socket = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
     const int watched_descriptor = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
     if (!memory || socket < 0 || watched_descriptor < 0) {
-        std::fputs("gsim-rcs-host: gsim run --rcs begins this program; it is not called by people\n", stderr);
+        std::fputs("gsim-rcs-host: gsim run --rcs starts this program; do not run it directly\n", stderr);
         return kUsageStatus;
     }
     ::close(kHostSocket);

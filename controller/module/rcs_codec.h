@@ -131,7 +131,7 @@ std::optional<FieldError> write_field(const Text<Storage>& field, std::string_vi
 template <typename Value, typename Count>
 std::optional<FieldError> write_field(const List<Value, Count>& field, std::span<const Value> values) {
     static_assert(GSIM_RCS_MAX_JOINTS == 16);
-    if (values.size() > GSIM_RCS_MAX_JOINTS) return FieldError{{}, "takes at most 16 values"};
+    if (values.size() > GSIM_RCS_MAX_JOINTS) return FieldError{{}, "accepts at most 16 values"};
     field.count = static_cast<Count>(values.size());
     std::copy(values.begin(), values.end(), field.values);
     return std::nullopt;

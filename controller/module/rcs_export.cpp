@@ -52,7 +52,7 @@ std::string current_exception_text() {
     } catch (const std::exception& error) {
         return error.what();
     } catch (...) {
-        return "an exception that is no std::exception";
+        return "an exception that is not a std::exception";
     }
 }
 
@@ -63,7 +63,7 @@ gsim_rcs_module* create_exported(ShellFactory make, const gsim_rcs_machine* mach
     try {
         auto shell = make(*machine);
         if (shell) return new gsim_rcs_module{std::move(*shell), {}};
-        copy_text(shell.error(), message->text);
+        copy_text(shell.error().message, message->text);
     } catch (...) {
         copy_text(current_exception_text(), message->text);
     }

@@ -4,8 +4,7 @@
 #include <memory>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "controller/module/rcs_module.h"
 #include "controller/services/shell.h"
 
@@ -14,7 +13,7 @@ namespace gsim::rrs {
 /// Adapter of any Shell to a controller module: a library's functions of rcs_module.h call these.
 
 /// Function that creates a Shell; the error is a message.
-using ShellFactory = tl::expected<std::unique_ptr<Shell>, std::string> (*)(const gsim_rcs_machine& machine);
+using ShellFactory = Result<std::unique_ptr<Shell>> (*)(const gsim_rcs_machine& machine);
 
 /// Works as gsim_rcs_create(); an exception of the factory is an error with its text.
 gsim_rcs_module* create_exported(ShellFactory make, const gsim_rcs_machine* machine,

@@ -34,14 +34,14 @@ RcsLibrary::~RcsLibrary() {
     if (handle_ != nullptr) ::dlclose(handle_);
 }
 
-tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::open(const std::string& path) {
+Result<std::shared_ptr<const RcsLibrary>> RcsLibrary::open(const std::string& path) {
     const std::shared_ptr<RcsLibrary> library(new RcsLibrary);
     library->name_ = std::filesystem::path(path).filename().string();
     const std::string& name = library->name_;
     // The path is absolute, because the loader searches a bare name in the system's folders.
     library->handle_ = ::dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library->handle_ == nullptr)
-        return tl::unexpected(fmt::format("cannot load the controller module {}: {}", name, load_error()));
+        return Unexpected(fmt::format("cannot load the controller module {}: {}", name, load_error()));
     decltype(&gsim_rcs_version) version = nullptr;
     const std::pair<const char*, bool> symbols[] = {
         {"gsim_rcs_version", find(library->handle_, "gsim_rcs_version", version)},
@@ -51,19 +51,19 @@ tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::open(co
     };
     for (const auto& [symbol, found] : symbols) {
         if (!found)
-            return tl::unexpected(fmt::format("{} is no controller module: it has no {}", name, symbol));
+            return Unexpected(fmt::format("{} is not a controller module: it has no {}", name, symbol));
     }
     if (const std::int32_t number = version(); number != GSIM_RCS_VERSION) {
-        return tl::unexpected(fmt::format(
-            "{} is a controller module of version {} of the interface; this program speaks version {}", name,
-            number, GSIM_RCS_VERSION));
+        return Unexpected(fmt::format(
+            "{} is a controller module of version {} of the interface; this program supports version {}",
+            name, number, GSIM_RCS_VERSION));
     }
     return library;
 }
 
-/// Returns an empty text, or why the module cannot be used.
-std::string RcsLibrary::check_library(const std::shared_ptr<const RcsLibrary>& library,
-                                      const gsim_rcs_machine& machine) {
+/// Returns an error if the module cannot be used.
+std::optional<Error> RcsLibrary::find_library_error(const std::shared_ptr<const RcsLibrary>& library,
+                                                    const gsim_rcs_machine& machine) {
     auto module = RcsModule::create(library, machine);
     if (!module) return module.error();
     gsim_rcs_message message{};
@@ -74,37 +74,35 @@ std::string RcsLibrary::check_library(const std::shared_ptr<const RcsLibrary>& l
     for (const auto& [service, status] : statuses) {
         if (status == GSIM_RCS_SUCCESS) continue;
         if (status == GSIM_RCS_NOT_SUPPORTED)
-            return fmt::format("{} does not offer the service {}", module->name(), service);
+            return fmt::format("{} does not support the service {}", module->name(), service);
         const std::string reason = rcs_text(message.text, sizeof message.text);
-        return fmt::format("{} answered {} with {}{}{}", module->name(), service, status,
+        return fmt::format("{} responded to {} with {}{}{}", module->name(), service, status,
                            reason.empty() ? "" : ": ", reason);
     }
     return {};
 }
 
-tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load(const std::string& path,
-                                                                              const gsim_rcs_machine& machine,
-                                                                              int trial_ms) {
+Result<std::shared_ptr<const RcsLibrary>> RcsLibrary::load(const std::string& path,
+                                                           const gsim_rcs_machine& machine, int trial_ms) {
     const std::string name = std::filesystem::path(path).filename().string();
     const auto trial_result = run_trial(
         [&] {
             const auto library = load_in_process(path, machine);
-            return library ? std::string() : library.error();
+            return library ? std::string() : library.error().message;
         },
         trial_ms);
     if (!trial_result)
-        return tl::unexpected(
-            fmt::format("the controller module {} {} while it was loaded", name, trial_result.error()));
+        return Unexpected(fmt::format("the controller module {} {} while it was loaded", name,
+                                      trial_result.error().message));
     if (!trial_result->empty()) return tl::unexpected(*trial_result);
     return open(path);
 }
 
-tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load_in_process(
-    const std::string& path, const gsim_rcs_machine& machine) {
+Result<std::shared_ptr<const RcsLibrary>> RcsLibrary::load_in_process(const std::string& path,
+                                                                      const gsim_rcs_machine& machine) {
     auto library = open(path);
     if (!library) return library;
-    if (std::string error = check_library(*library, machine); !error.empty())
-        return tl::unexpected(std::move(error));
+    if (auto error = find_library_error(*library, machine)) return tl::unexpected(*std::move(error));
     return library;
 }
 
@@ -130,14 +128,14 @@ class LoadedModule final : public RcsCalls {
     Handle handle_;  // destroyed before its library
 };
 
-tl::expected<RcsModule, std::string> RcsModule::create(std::shared_ptr<const RcsLibrary> library,
-                                                       const gsim_rcs_machine& machine) {
+Result<RcsModule> RcsModule::create(std::shared_ptr<const RcsLibrary> library,
+                                    const gsim_rcs_machine& machine) {
     gsim_rcs_message message{};
     LoadedModule::Handle handle = LoadedModule::create(*library, machine, message);
     if (handle) return RcsModule(std::make_unique<LoadedModule>(std::move(library), std::move(handle)));
     const std::string reason = rcs_text(message.text, sizeof message.text);
-    return tl::unexpected(fmt::format("{} makes no controller for this machine: {}", library->name(),
-                                      reason.empty() ? "it does not say why" : reason));
+    return Unexpected(fmt::format("{} created no controller for this machine: {}", library->name(),
+                                  reason.empty() ? "no reason is given" : reason));
 }
 
 }  // namespace gsim::rrs

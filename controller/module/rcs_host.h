@@ -6,8 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "controller/module/rcs_calls.h"
 #include "controller/module/rcs_module.h"
 
@@ -20,12 +19,12 @@ class RcsLibrary {
     /// `machine`, initialized and destroyed. The error is a message that names the library: no such file, no
     /// module, another version, a missing required service, no response within `trial_ms`, or a crash (in the
     /// trial; later ones are not caught).
-    static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load(const std::string& path,
-                                                                             const gsim_rcs_machine& machine,
-                                                                             int trial_ms = 10'000);
+    static Result<std::shared_ptr<const RcsLibrary>> load(const std::string& path,
+                                                          const gsim_rcs_machine& machine,
+                                                          int trial_ms = 10'000);
     /// Works as load(), but tries it in this process, in which a crash is a crash of the process.
-    static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load_in_process(
-        const std::string& path, const gsim_rcs_machine& machine);
+    static Result<std::shared_ptr<const RcsLibrary>> load_in_process(const std::string& path,
+                                                                     const gsim_rcs_machine& machine);
     RcsLibrary(const RcsLibrary&) = delete;
     RcsLibrary& operator=(const RcsLibrary&) = delete;
     ~RcsLibrary();
@@ -37,9 +36,9 @@ class RcsLibrary {
     friend class LoadedModule;
 
     RcsLibrary() = default;
-    static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> open(const std::string& path);
-    static std::string check_library(const std::shared_ptr<const RcsLibrary>& library,
-                                     const gsim_rcs_machine& machine);
+    static Result<std::shared_ptr<const RcsLibrary>> open(const std::string& path);
+    static std::optional<Error> find_library_error(const std::shared_ptr<const RcsLibrary>& library,
+                                                   const gsim_rcs_machine& machine);
 
     std::string name_;
     void* handle_ = nullptr;
@@ -53,8 +52,8 @@ class RcsModule {
   public:
     explicit RcsModule(std::unique_ptr<RcsCalls> calls) : calls_(std::move(calls)) {}
     /// Creates a controller in this process. The error is a message that names the library.
-    static tl::expected<RcsModule, std::string> create(std::shared_ptr<const RcsLibrary> library,
-                                                       const gsim_rcs_machine& machine);
+    static Result<RcsModule> create(std::shared_ptr<const RcsLibrary> library,
+                                    const gsim_rcs_machine& machine);
 
     /// Returns the name, as in RcsCalls.
     const std::string& name() const { return calls_->name(); }

@@ -64,8 +64,8 @@ std::string machine_texts(const gsim_rcs_machine& machine) {
     return texts;
 }
 
-tl::unexpected<std::string> launch_error(const std::filesystem::path& program, int error) {
-    return tl::unexpected(fmt::format("cannot run {}: {}", program.string(), message(error)));
+Unexpected launch_error(const std::filesystem::path& program, int error) {
+    return Unexpected(fmt::format("cannot run {}: {}", program.string(), message(error)));
 }
 
 void sleep_1_ms() {
@@ -114,10 +114,9 @@ RcsLink::RcsLink(pid_t process, os::Descriptor socket, std::unique_ptr<RcsMemory
       response_timeout_ms_(response_timeout_ms),
       poll_interval_ms_(std::min(kPollInterval_ms, response_timeout_ms)) {}
 
-tl::expected<std::unique_ptr<RcsLink>, std::string> RcsLink::begin(const std::filesystem::path& program,
-                                                                   const std::string& path,
-                                                                   const gsim_rcs_machine& machine,
-                                                                   const RcsProcessLimits& limits) {
+Result<std::unique_ptr<RcsLink>> RcsLink::begin(const std::filesystem::path& program, const std::string& path,
+                                                const gsim_rcs_machine& machine,
+                                                const RcsProcessLimits& limits) {
     const std::string texts = machine_texts(machine);
     auto memory = RcsMemory::make(texts.size());
     if (!memory) return launch_error(program, memory.error());
@@ -183,11 +182,11 @@ void RcsLink::mark_exited() {
     end();
     const int status = status_.value_or(0);
     if (!has_exited || (WIFEXITED(status) && WEXITSTATUS(status) == kSocketLost)) {
-        mark_lost("broke its connection", "");
+        mark_lost("closed its connection", "");
     } else if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         const bool sent = signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
-        mark_lost(sent ? "was ended" : "crashed", fmt::format(" (signal {})", signal));
+        mark_lost(sent ? "was terminated" : "crashed", fmt::format(" (signal {})", signal));
     } else {
         mark_lost("ended its process", fmt::format(" (status {})", WEXITSTATUS(status)));
     }
@@ -203,13 +202,13 @@ bool RcsLink::receive(RcsResponse& response) {
             waited_ms += poll_interval_ms_;
             if (!has_ended() && waited_ms < response_timeout_ms_) continue;
             if (has_ended()) return mark_exited(), false;
-            return mark_lost("gave no answer", fmt::format(" within {} s", response_timeout_ms_ / 1000.0)),
+            return mark_lost("did not respond", fmt::format(" within {} s", response_timeout_ms_ / 1000.0)),
                    false;
         }
         if (size <= 0) return mark_exited(), false;
         if (size == sizeof response) std::memcpy(&response, packet.data(), sizeof response);
         if (size == sizeof response && response.number == number_) return true;
-        return mark_lost("broke its connection", ""), false;
+        return mark_lost("closed its connection", ""), false;
     }
 }
 

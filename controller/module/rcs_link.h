@@ -9,6 +9,7 @@
 #include <sys/types.h>
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "base/os/descriptor.h"
 #include "controller/module/rcs_process.h"
 #include "controller/module/rcs_shared.h"
@@ -52,10 +53,9 @@ class RcsMemory {
 /// A running gsim-rcs-host, and the connection to it.
 class RcsLink {
   public:
-    static tl::expected<std::unique_ptr<RcsLink>, std::string> begin(const std::filesystem::path& program,
-                                                                     const std::string& path,
-                                                                     const gsim_rcs_machine& machine,
-                                                                     const RcsProcessLimits& limits);
+    static Result<std::unique_ptr<RcsLink>> begin(const std::filesystem::path& program,
+                                                  const std::string& path, const gsim_rcs_machine& machine,
+                                                  const RcsProcessLimits& limits);
     RcsLink(const RcsLink&) = delete;
     RcsLink& operator=(const RcsLink&) = delete;
     /// Ends the process, and those that the module has started in its group.

@@ -43,16 +43,16 @@ class RcsProcess final : public RcsCalls {
     void prepare_request(RcsPrefetch prefetch);
     void fetch_steps();
     std::int32_t lost();
-    bool all_consumed() const { return queried_ == fetched_; }
+    bool all_consumed() const { return queried_count_ == fetched_count_; }
 
     std::string name_;
     std::unique_ptr<RcsLink> link_;
     RcsShared& shared_;
     RcsPrefetch prefetch_ = RcsPrefetch::unknown;
     bool queries_targets_ = false;
-    std::uint32_t fetched_ = 0;  ///< Steps that were made ahead,
-    std::uint32_t queried_ = 0;  ///< and those of them that were asked for.
-    std::int32_t retried_ = 0;   ///< Target that was enqueued once more after them; 0: none.
+    std::uint32_t fetched_count_ = 0;   ///< Steps that were made ahead,
+    std::uint32_t queried_count_ = 0;   ///< and those of them that were asked for.
+    std::int32_t retried_service_ = 0;  ///< Target that was enqueued once more after them; 0: none.
     std::optional<std::string> loss_;
 };
 
@@ -87,9 +87,9 @@ void RcsProcess::prepare_request(RcsPrefetch prefetch) {
 }
 
 void RcsProcess::fetch_steps() {
-    fetched_ =
+    fetched_count_ =
         std::min<std::uint32_t>(shared_.step_count.load(std::memory_order_acquire), kMaxPrefetchedSteps);
-    queried_ = 0;
+    queried_count_ = 0;
 }
 
 std::int32_t RcsProcess::next_step(void* output) {
@@ -99,14 +99,14 @@ std::int32_t RcsProcess::next_step(void* output) {
         fetch_steps();
         if (all_consumed()) return status ? GSIM_RCS_FAULT : lost();
     }
-    const RcsSharedStep& step = shared_.steps[queried_++];
+    const RcsSharedStep& step = shared_.steps[queried_count_++];
     std::memcpy(output, &step.step, sizeof step.step);
     return step.status;
 }
 
 /// Returns the target of the step that was consumed last.
 std::int32_t RcsProcess::step_target(void* output) {
-    const RcsSharedStep& step = shared_.steps[queried_ - 1];
+    const RcsSharedStep& step = shared_.steps[queried_count_ - 1];
     const std::int32_t status = step.target_status.load(std::memory_order_acquire);
     if (status == kPending && link_->loss()) return lost();
     std::memcpy(output, &step.target, sizeof step.target);
@@ -119,12 +119,12 @@ std::int32_t RcsProcess::enqueue(std::int32_t opcode, const void* input) {
     const auto status = link_->send_request(RcsRequest::call, opcode);
     if (shared_.was_full.load() == 0) return status ? *status : lost();
     fetch_steps();
-    if (status && shared_.has_retry.load() != 0) retried_ = opcode;
+    if (status && shared_.has_retry.load() != 0) retried_service_ = opcode;
     return GSIM_RCS_QUEUE_FULL;
 }
 
 std::int32_t RcsProcess::retry_result() {
-    retried_ = 0;
+    retried_service_ = 0;
     return shared_.retry_status;
 }
 
@@ -132,30 +132,28 @@ std::int32_t RcsProcess::call(std::int32_t opcode, const void* input, void* outp
     if (loss_) return GSIM_RCS_FAULT;
     if (opcode == GSIM_RCS_GET_NEXT_STEP && (prefetch_ != RcsPrefetch::unknown || !all_consumed()))
         return next_step(output);
-    if (opcode == GSIM_RCS_GET_TARGET_OF_LAST_STEP && queried_ > 0 &&
-        shared_.steps[queried_ - 1].target_status.load() != kNotQueried)
+    if (opcode == GSIM_RCS_GET_TARGET_OF_LAST_STEP && queried_count_ > 0 &&
+        shared_.steps[queried_count_ - 1].target_status.load() != kNotQueried)
         return step_target(output);
-    if (!all_consumed()) throw std::logic_error("a service is called between steps that were announced");
+    if (!all_consumed()) throw std::logic_error("a service is called between prefetched steps");
     if (link_->loss()) return lost();
-    if (retried_ == opcode) return retry_result();
-    fetched_ = queried_ = 0;
-    retried_ = 0;
+    if (retried_service_ == opcode) return retry_result();
+    fetched_count_ = queried_count_ = 0;
+    retried_service_ = 0;
     if (prefetch_ != RcsPrefetch::if_full || !is_target_service(opcode))
         return send_request(opcode, input, output);
     return enqueue(opcode, input);
 }
 
-tl::unexpected<std::string> load_failure(const std::string& name, const RcsLoss& loss) {
-    return tl::unexpected(
+Unexpected load_failure(const std::string& name, const RcsLoss& loss) {
+    return Unexpected(
         fmt::format("the controller module {} {}{} while it was loaded", name, loss.what, loss.reason));
 }
 
 }  // namespace
 
-tl::expected<RcsModule, std::string> start_rcs_process(const std::filesystem::path& program,
-                                                       const std::string& path,
-                                                       const gsim_rcs_machine& machine,
-                                                       RcsProcessLimits limits) {
+Result<RcsModule> start_rcs_process(const std::filesystem::path& program, const std::string& path,
+                                    const gsim_rcs_machine& machine, RcsProcessLimits limits) {
     auto link = RcsLink::begin(program, path, machine, limits);
     if (!link) return tl::unexpected(std::move(link.error()));
     std::string name = std::filesystem::path(path).filename().string();

@@ -4,8 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "controller/module/rcs_host.h"
 
 namespace gsim::rrs {
@@ -25,9 +24,7 @@ struct RcsProcessLimits {
 /// delivered.
 ///
 /// The error is a message, that of RcsLibrary::load() if it is the module's.
-tl::expected<RcsModule, std::string> start_rcs_process(const std::filesystem::path& program,
-                                                       const std::string& path,
-                                                       const gsim_rcs_machine& machine,
-                                                       RcsProcessLimits limits = {});
+Result<RcsModule> start_rcs_process(const std::filesystem::path& program, const std::string& path,
+                                    const gsim_rcs_machine& machine, RcsProcessLimits limits = {});
 
 }  // namespace gsim::rrs

@@ -54,15 +54,15 @@ Status RcsShell::send_request(const Service& service, const void* input, void* o
     }
     if (result < GSIM_RCS_FAULT || result > GSIM_RCS_MOTION_TIME_RAISED)
         return report_module_error(
-            fmt::format("answered {} with {}, which is no status", service.name, result));
+            fmt::format("responded to {} with {}, which is not a status", service.name, result));
     const auto status = static_cast<Status>(result);
     if (result > 0 && !service.statuses.contains(status)) {
-        return report_module_error(
-            fmt::format("answered {} with {}, which is no answer to it", service.name, rrs::name(status)));
+        return report_module_error(fmt::format("responded to {} with {}, which is not a valid response",
+                                               service.name, rrs::name(status)));
     }
     host_message_.reset();
     if (result == GSIM_RCS_NOT_SUPPORTED)
-        host_message_ = fmt::format("{} does not offer the service {}.", name(), service.name);
+        host_message_ = fmt::format("{} does not support the service {}.", name(), service.name);
     return status;
 }
 
@@ -99,25 +99,28 @@ bool RcsShell::is_valid_step(double result_s) const {
 
 Status RcsShell::report_step_error(const Service& service, double result_s) {
     if (!std::isfinite(result_s))
-        return report_module_error(fmt::format("answered {} with a time of {} s", service.name, result_s));
+        return report_module_error(
+            fmt::format("responded to {} with a time of {} s", service.name, result_s));
     if (result_s < 0)
         return report_module_error(
-            fmt::format("answered {} with a time that runs backwards, by {} s", service.name, -result_s));
-    return report_module_error(fmt::format("answered {} with a step of {} s; the interpolation time is {} s",
-                                           service.name, result_s, interpolation_s_));
+            fmt::format("responded to {} with a time that decreases by {} s", service.name, -result_s));
+    return report_module_error(
+        fmt::format("responded to {} with a step of {} s; the interpolation time is {} s", service.name,
+                    result_s, interpolation_s_));
 }
 
 Status RcsShell::check_joint_values(const Service& service, const gsim_rcs_joints& result,
                                     double max_abs_value) {
     if (result.count != joint_count_) {
-        return report_module_error(fmt::format("answered {} with {} joint values; the machine has {} joints",
-                                               service.name, result.count, joint_count_));
+        return report_module_error(
+            fmt::format("responded to {} with {} joint values; the machine has {} joints", service.name,
+                        result.count, joint_count_));
     }
     for (int joint = 0; joint < joint_count_; ++joint) {
         const double value = result.values[joint];
         if (!(std::abs(value) <= max_abs_value)) {
             return report_module_error(
-                fmt::format("answered {} with the value {} for joint {}", service.name, value, joint));
+                fmt::format("responded to {} with the value {} for joint {}", service.name, value, joint));
         }
     }
     return Status::RRS_SUCCESS;
@@ -137,7 +140,7 @@ Status RcsShell::check_response(const Service& service, const gsim_rcs_pose& res
     const auto is_finite = [](double value) { return std::isfinite(value); };
     if (std::all_of(std::begin(result.matrix), std::end(result.matrix), is_finite))
         return Status::RRS_SUCCESS;
-    return report_module_error(fmt::format("answered {} with a pose that is not finite", service.name));
+    return report_module_error(fmt::format("responded to {} with a pose that is not finite", service.name));
 }
 
 Status RcsShell::check_response(const Service& service, const gsim_rcs_joints& result) {
@@ -160,8 +163,9 @@ Status RcsShell::check_response(const Service& service, const gsim_rcs_object_st
 
 Status RcsShell::check_response(const Service& service, const gsim_rcs_event& result) {
     if (result.time_s <= interpolation_s_ && std::isfinite(result.time_s)) return Status::RRS_SUCCESS;
-    return report_module_error(fmt::format("answered {} with the time {} s; the interpolation time is {} s",
-                                           service.name, result.time_s, interpolation_s_));
+    return report_module_error(
+        fmt::format("responded to {} with the time {} s; the interpolation time is {} s", service.name,
+                    result.time_s, interpolation_s_));
 }
 
 /// Requests a service that returns more than a status: `arguments` are its inputs, then its outputs.

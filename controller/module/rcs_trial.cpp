@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr char kEndOfMessage = '\0';  // ends what the work says: a child that ends before has not done it
 
 std::string system_error(const char* what) {
-    return fmt::format("could not be tried ({}: {})", what, std::generic_category().message(errno));
+    return fmt::format("could not be tested ({}: {})", what, std::generic_category().message(errno));
 }
 
 /// Crashes must reach the parent as signals: no core files, no foreign handlers.
@@ -85,7 +85,7 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> run_trial(const std::function<std::string()>& work, int timeout_ms) {
+Result<std::string> run_trial(const std::function<std::string()>& work, int timeout_ms) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) return tl::unexpected(system_error("pipe"));
     const os::Descriptor input(ends[0]);
@@ -98,10 +98,9 @@ tl::expected<std::string, std::string> run_trial(const std::function<std::string
     std::optional<std::string> reply = read_output(input.number(), timeout_ms);
     if (!reply) ::kill(child, SIGKILL);
     const int status = wait_for(child);
-    if (!reply) return tl::unexpected(fmt::format("gave no answer within {} s", timeout_ms / 1000.0));
-    if (WIFSIGNALED(status)) return tl::unexpected(fmt::format("crashed (signal {})", WTERMSIG(status)));
-    if (reply->empty() || reply->back() != kEndOfMessage)
-        return tl::unexpected<std::string>("ended the program");
+    if (!reply) return Unexpected(fmt::format("did not respond within {} s", timeout_ms / 1000.0));
+    if (WIFSIGNALED(status)) return Unexpected(fmt::format("crashed (signal {})", WTERMSIG(status)));
+    if (reply->empty() || reply->back() != kEndOfMessage) return Unexpected("ended the program");
     reply->pop_back();
     return *reply;
 }

@@ -3,12 +3,12 @@
 #include <functional>
 #include <string>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::rrs {
 
 /// Runs `work` in a child process and returns its result, so that a crash in it affects only the child. The
 /// error continues a message: "crashed (signal 11)", "ended the program", "gave no answer within 10 s".
-tl::expected<std::string, std::string> run_trial(const std::function<std::string()>& work, int timeout_ms);
+Result<std::string> run_trial(const std::function<std::string()>& work, int timeout_ms);
 
 }  // namespace gsim::rrs

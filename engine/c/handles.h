@@ -36,7 +36,7 @@ struct gsim_run {
 namespace gsim::engine {
 
 Request make_request(const gsim_request& given);
-DiagnosticHandler make_diagnostic_handler(gsim_tell on_diagnostic, void* user);
+DiagnosticHandler make_diagnostic_handler(gsim_on_diagnostic on_diagnostic, void* user);
 /// Stores the message; returns the status.
 std::int32_t store_error(gsim_run& run, const Error& error);
 

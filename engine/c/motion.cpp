@@ -6,7 +6,7 @@
 
 namespace gsim::engine {
 
-static_assert(kMaxAxes == GSIM_MOST_AXES);
+static_assert(kMaxAxes == GSIM_MAX_AXES);
 
 #define GSIM_MOVE_KIND(name, number, constant) static_assert((constant) == (number));
 #include "base/kinds/move_kind.def"
@@ -40,7 +40,7 @@ gsim_move plain(const Move& move, std::uint32_t file) {
         result.sweep_rad = move.arc.sweep_rad;
     }
     result.kind = static_cast<std::int32_t>(move.kind);
-    result.jet_on = move.process_on ? 1 : 0;
+    result.process_on = move.process_on ? 1 : 0;
     result.line = move.line;
     result.file = file;
     return result;
@@ -54,7 +54,7 @@ gsim_segment plain(const Segment& segment) {
     std::copy(segment.start.begin(), segment.start.end(), result.start);
     std::copy(segment.end.begin(), segment.end.end(), result.end);
     result.kind = static_cast<std::int32_t>(segment.kind);
-    result.jet_on = segment.process_on ? 1 : 0;
+    result.process_on = segment.process_on ? 1 : 0;
     result.line = segment.line;
     result.exact = &segment;
     return result;
@@ -85,7 +85,8 @@ std::int32_t call_on_ready_run(gsim_run* run, std::size_t robot, const RunAction
     return call_noexcept([&]() -> std::int32_t {
         const bool ready = run->run && run->status == GSIM_OK && !run->report;
         if (!ready || robot >= run->run->robots().size()) {
-            if (run->error.empty()) run->error = ready ? "there is no such robot" : "the run has gone";
+            if (run->error.empty())
+                run->error = ready ? "the robot does not exist" : "the run has already ended";
             return GSIM_FAILED;
         }
         const tl::expected<void, Error> done = run_action(*run->run);
@@ -98,7 +99,7 @@ std::int32_t call_on_ready_run(gsim_run* run, std::size_t robot, const RunAction
 
 using namespace gsim::engine;
 
-int32_t gsim_run_take_moves(gsim_run* run, size_t robot, gsim_take_moves callback, void* user) {
+int32_t gsim_run_on_moves(gsim_run* run, size_t robot, gsim_on_moves callback, void* user) {
     return call_on_ready_run(run, robot, [&](Run& queried_run) -> tl::expected<void, Error> {
         queried_run.on_moves(
             [run, callback, user](std::span<const Move> moves) {
@@ -112,7 +113,7 @@ int32_t gsim_run_take_moves(gsim_run* run, size_t robot, gsim_take_moves callbac
     });
 }
 
-int32_t gsim_run_take_segments(gsim_run* run, size_t robot, gsim_take_segments callback, void* user) {
+int32_t gsim_run_on_segments(gsim_run* run, size_t robot, gsim_on_segments callback, void* user) {
     return call_on_ready_run(run, robot, [&](Run& queried_run) -> tl::expected<void, Error> {
         queried_run.on_segments(
             [callback, user](std::span<const Segment> segments) {
@@ -126,8 +127,8 @@ int32_t gsim_run_take_segments(gsim_run* run, size_t robot, gsim_take_segments c
     });
 }
 
-int32_t gsim_run_take_samples(gsim_run* run, size_t robot, double step_s, gsim_take_samples callback,
-                              void* user) {
+int32_t gsim_run_on_samples(gsim_run* run, size_t robot, double step_s, gsim_on_samples callback,
+                            void* user) {
     return call_on_ready_run(run, robot, [&](Run& queried_run) {
         return queried_run.on_samples(
             [callback, user](std::span<const Sample> samples) {
@@ -141,13 +142,14 @@ int32_t gsim_run_take_samples(gsim_run* run, size_t robot, double step_s, gsim_t
 }
 
 int32_t gsim_run_write(gsim_run* run, size_t robot, const char* output_kind, double step_s,
-                       gsim_take_text callback, void* user) {
+                       gsim_write_text callback, void* user) {
     return call_on_ready_run(run, robot, [&](Run& queried_run) -> tl::expected<void, Error> {
         const auto known = find_output(output_kind);
         if (!known) {
-            return tl::unexpected(Error{.code = "usage",
-                                        .message = std::string("'") + output_kind +
-                                                   "' is no document; there are " + listed(output_names())});
+            return tl::unexpected(
+                Error{.code = "usage",
+                      .message = std::string("'") + output_kind +
+                                 "' is not an output; known outputs: " + listed(output_names())});
         }
         OutputOptions options;
         options.step_s = step_s;
@@ -158,7 +160,7 @@ int32_t gsim_run_write(gsim_run* run, size_t robot, const char* output_kind, dou
     });
 }
 
-void gsim_segment_axes(const gsim_segment* segment, double t_s, double axes[GSIM_MOST_AXES]) {
+void gsim_segment_axes(const gsim_segment* segment, double t_s, double axes[GSIM_MAX_AXES]) {
     const AxisValues values = static_cast<const Segment*>(segment->exact)->axes_at(t_s);
     std::copy(values.begin(), values.end(), axes);
 }

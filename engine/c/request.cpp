@@ -121,7 +121,7 @@ int32_t gsim_request_set_files(gsim_request* request, gsim_read_file read, void*
     });
 }
 
-int32_t gsim_bytes_put(gsim_bytes* bytes, const void* data, size_t size) {
+int32_t gsim_bytes_append(gsim_bytes* bytes, const void* data, size_t size) {
     return call_noexcept([&] {
         bytes->bytes.append(static_cast<const char*>(data), size);
         return GSIM_OK;

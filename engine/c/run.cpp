@@ -11,7 +11,7 @@ namespace gsim::engine {
 #define GSIM_SEVERITY(name, number, constant) static_assert((constant) == (number));
 #include "base/kinds/severity.def"
 
-DiagnosticHandler make_diagnostic_handler(gsim_tell on_diagnostic, void* user) {
+DiagnosticHandler make_diagnostic_handler(gsim_on_diagnostic on_diagnostic, void* user) {
     if (on_diagnostic == nullptr) return {};
     return [on_diagnostic, user](const Diagnostic& reported) {
         const gsim_diagnostic diagnostic{.severity = static_cast<std::int32_t>(reported.severity),
@@ -28,7 +28,7 @@ DiagnosticHandler make_diagnostic_handler(gsim_tell on_diagnostic, void* user) {
 
 std::int32_t store_error(gsim_run& run, const Error& error) {
     run.error = error.message;
-    return error.in_program ? GSIM_REFUSED : GSIM_FAILED;
+    return error.in_program ? GSIM_REJECTED : GSIM_FAILED;
 }
 
 namespace {
@@ -51,7 +51,7 @@ bool is_ready(const gsim_run& run, std::size_t robot) {
 
 /// Stores a message in place of an unavailable result.
 std::int32_t report_not_ready(gsim_run& run) {
-    if (run.error.empty()) run.error = "there is no such robot";
+    if (run.error.empty()) run.error = "the robot does not exist";
     return GSIM_FAILED;
 }
 
@@ -77,7 +77,7 @@ const char* gsim_version() {
     return gsim::engine::version();
 }
 
-gsim_run* gsim_run_open(const gsim_request* request, gsim_tell on_diagnostic, void* user) {
+gsim_run* gsim_run_open(const gsim_request* request, gsim_on_diagnostic on_diagnostic, void* user) {
     gsim_run* run = new (std::nothrow) gsim_run();
     if (run == nullptr) return nullptr;
     run->status =
@@ -97,12 +97,12 @@ const char* gsim_run_error(const gsim_run* run) {
     return run->error.c_str();
 }
 
-size_t gsim_run_robots(const gsim_run* run) {
+size_t gsim_run_robot_count(const gsim_run* run) {
     return run->run ? run->run->robots().size() : 0;
 }
 
-const char* gsim_run_robot(const gsim_run* run, size_t robot) {
-    return robot < gsim_run_robots(run) ? run->run->robots()[robot].c_str() : "";
+const char* gsim_run_robot_name(const gsim_run* run, size_t robot) {
+    return robot < gsim_run_robot_count(run) ? run->run->robots()[robot].c_str() : "";
 }
 
 char gsim_run_axis(const gsim_run* run, size_t robot, size_t axis) {
@@ -118,7 +118,7 @@ double gsim_run_home(const gsim_run* run, size_t robot, size_t axis) {
     return gsim_run_axis(run, robot, axis) != 0 ? run->run->home(robot)[axis] : 0;
 }
 
-int32_t gsim_run_show_progress(gsim_run* run, gsim_show_progress show, void* user) {
+int32_t gsim_run_on_progress(gsim_run* run, gsim_on_progress show, void* user) {
     return call_noexcept([&] {
         if (!is_ready(*run, 0)) return report_not_ready(*run);
         run->run->on_progress(
@@ -131,7 +131,7 @@ int32_t gsim_run_go(gsim_run* run) {
     return call_noexcept([&] {
         if (!is_ready(*run, 0)) return report_not_ready(*run);
         if (run->report) {
-            run->error = "a run goes once";
+            run->error = "a run can be started only once";
             return std::int32_t{GSIM_FAILED};
         }
         auto report = run->run->go();
@@ -194,8 +194,8 @@ const char* gsim_run_machine_data(gsim_run* run) {
     return text;
 }
 
-int32_t gsim_translate(const gsim_request* request, gsim_tell on_diagnostic, void* handler_user,
-                       gsim_take_text callback, void* sink_user) {
+int32_t gsim_translate(const gsim_request* request, gsim_on_diagnostic on_diagnostic, void* handler_user,
+                       gsim_write_text callback, void* sink_user) {
     return call_noexcept([&]() -> std::int32_t {
         Request given = make_request(*request);
         TranslationRequest translation_options;
@@ -208,7 +208,7 @@ int32_t gsim_translate(const gsim_request* request, gsim_tell on_diagnostic, voi
         translation_options.host = given.host;
         const DiagnosticHandler cpp_handler = make_diagnostic_handler(on_diagnostic, handler_user);
         const auto fail = [&](const Error& error) -> std::int32_t {
-            if (error.in_program) return GSIM_REFUSED;
+            if (error.in_program) return GSIM_REJECTED;
             if (cpp_handler) cpp_handler({.code = error.code, .file = error.file, .text = error.message});
             return GSIM_FAILED;
         };

@@ -30,17 +30,10 @@ text::Diagnostic to_text_diagnostic(const Diagnostic& diagnostic) {
             .excerpt = diagnostic.excerpt};
 }
 
-Error make_error(text::DiagnosticKind kind, std::string message, std::string file) {
+Error make_error(text::DiagnosticKind kind, gsim::Error error, std::string file) {
     return {.code = std::string(text::diagnostic_code(kind)),
-            .message = std::move(message),
+            .message = std::move(error.message),
             .file = std::move(file)};
-}
-
-Error make_error(const InputError& error) {
-    Error result = make_error(error.kind, error.message, error.file);
-    result.in_program = error.in_program;
-    if (error.first_error) result.first_error = to_diagnostic(*error.first_error);
-    return result;
 }
 
 AxisValues axis_values(const machine::Machine& machine, const rrs::JointPos& joints) {
@@ -50,10 +43,10 @@ AxisValues axis_values(const machine::Machine& machine, const rrs::JointPos& joi
     return values;
 }
 
-std::optional<std::string> check_step(double step_s) {
+std::optional<gsim::Error> find_step_error(double step_s) {
     constexpr double kMin_s = kMinStep_s;
     if (step_s >= kMin_s) return std::nullopt;
-    return fmt::format("the step of a trajectory is {} s; {} s is the least", step_s, kMin_s);
+    return fmt::format("the step of a trajectory is {} s; it must be at least {} s", step_s, kMin_s);
 }
 
 }  // namespace gsim::engine

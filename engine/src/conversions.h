@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 
+#include "base/error.h"
 #include "base/text/diagnostic.h"
 #include "engine/diagnostic.h"
 #include "engine/motion.h"
 #include "engine/report.h"
-#include "engine/src/run/script_input.h"
 #include "machine/model/machine.h"
 #include "runtime/report/robots_report.h"
 
@@ -17,12 +17,12 @@ namespace gsim::engine {
 Diagnostic to_diagnostic(const text::Diagnostic& diagnostic);
 /// Returns the inverse conversion.
 text::Diagnostic to_text_diagnostic(const Diagnostic& diagnostic);
-Error make_error(text::DiagnosticKind kind, std::string message, std::string file = {});
-Error make_error(const InputError& error);
+/// Returns an error in the form for users; `file` is the input that its message does not name.
+Error make_error(text::DiagnosticKind kind, gsim::Error error, std::string file = {});
 AxisValues axis_values(const machine::Machine& machine, const rrs::JointPos& joints);
 
-/// Returns a message if a trajectory cannot have this step; nothing if it can.
-std::optional<std::string> check_step(double step_s);
+/// Returns an error if a trajectory cannot have this step.
+std::optional<gsim::Error> find_step_error(double step_s);
 
 Report make_report(simulation::Report report);
 Report make_report(simulation::RobotsReport report);

@@ -2,8 +2,7 @@
 
 namespace gsim::engine {
 
-tl::expected<std::string, std::string> resolve_name(const Host& host, NameKind kind,
-                                                    const std::string& name) {
+Result<std::string> resolve_name(const Host& host, NameKind kind, const std::string& name) {
     if (name.empty() || !host.find) return name;
     return host.find(kind, name);
 }

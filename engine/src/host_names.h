@@ -2,13 +2,12 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "engine/host.h"
 
 namespace gsim::engine {
 
 /// Returns the file that a name means: Host::find, or the name itself. An empty name stays empty.
-tl::expected<std::string, std::string> resolve_name(const Host& host, NameKind kind, const std::string& name);
+Result<std::string> resolve_name(const Host& host, NameKind kind, const std::string& name);
 
 }  // namespace gsim::engine

@@ -68,24 +68,24 @@ std::string suggest_machine(const fs::path& bin_folder, const std::string& name)
 
 }  // namespace
 
-tl::expected<std::string, std::string> find_file_from(const fs::path& bin_folder, NameKind kind,
-                                                      const std::string& name) {
+Result<std::string> find_file_from(const fs::path& bin_folder, NameKind kind, const std::string& name) {
     if (name.empty() || name == "-" || file_exists(name)) return name;
     const std::vector<fs::path> searched_paths = candidate_paths(bin_folder, kind, name);
     for (const fs::path& resolved_path : searched_paths) {
         if (file_exists(resolved_path)) return resolved_path.string();
     }
     std::string message = fmt::format("cannot read '{}': No such file or directory", name);
-    std::vector<std::string> names_shown;
-    names_shown.reserve(searched_paths.size());
+    std::vector<std::string> searched_names;
+    searched_names.reserve(searched_paths.size());
     for (const fs::path& resolved_path : searched_paths)
-        names_shown.push_back(fmt::format("'{}'", resolved_path.string()));
-    if (!names_shown.empty()) message += fmt::format(", nor is there {}", text::joined(names_shown, " or "));
+        searched_names.push_back(fmt::format("'{}'", resolved_path.string()));
+    if (!searched_names.empty())
+        message += fmt::format(", nor does {} exist", text::joined(searched_names, " or "));
     if (kind == NameKind::machine) message += suggest_machine(bin_folder, name);
     return tl::unexpected(message);
 }
 
-tl::expected<std::string, std::string> find_file(NameKind kind, const std::string& name) {
+Result<std::string> find_file(NameKind kind, const std::string& name) {
     return find_file_from(os::program_folder(), kind, name);
 }
 

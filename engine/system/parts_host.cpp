@@ -28,7 +28,8 @@ tl::expected<Plate, std::string> read_plate(const std::string& file, const Plate
             for (const geometry::Contour& contour : read.drawing.drawn_contours)
                 plate.outlines.push_back(to_outline(contour));
             return plate;
-        });
+        })
+        .map_error(&gsim::Error::message);
 }
 
 }  // namespace

@@ -45,42 +45,43 @@ std::string drawing_error(const std::filesystem::path& path, const std::string& 
 }  // namespace
 
 // Without this check a run would end before it writes its output.
-tl::expected<void, std::string> find_gnuplot() {
+Result<void> find_gnuplot() {
     const FileHandle input(std::fopen("/dev/null", "re"));
     const FileHandle output(std::fopen("/dev/null", "we"));
     if (!input || !output) return {};
     return os::run_child({"gnuplot", "--version"}, input.get(), output.get());
 }
 
-tl::expected<std::string, std::string> draw_picture(const std::string& script) {
+Result<std::string> draw_picture(const std::string& script) {
     const FileHandle input = temporary_file(script);
     const FileHandle output = os::open_memory_file("picture");  // gnuplot does not report a full disk
     if (!input || !output) {
-        return tl::unexpected(
-            fmt::format("cannot make a file in memory: {}", std::generic_category().message(errno)));
+        return Unexpected(
+            fmt::format("cannot create a file in memory: {}", std::generic_category().message(errno)));
     }
     // -d ignores the user's settings.
     if (auto done = os::run_child({"gnuplot", "-d"}, input.get(), output.get()); !done)
         return tl::unexpected(done.error());
     std::string picture = read_file_text(output.get());
-    if (picture.empty()) return tl::unexpected<std::string>("gnuplot has drawn nothing");
+    if (picture.empty()) return Unexpected("gnuplot created no picture");
     return picture;
 }
 
-tl::expected<Picture, std::string> Picture::picture_for_file(const std::filesystem::path& path) {
+Result<Picture> Picture::picture_for_file(const std::filesystem::path& path) {
     const bool bitmap = path.extension() == ".png";
     if (!bitmap && path.extension() != ".svg")
-        return tl::unexpected(drawing_error(path, "a picture's name ends in .svg or .png"));
+        return tl::unexpected(drawing_error(path, "the name of a picture must end in .svg or .png"));
     if (auto writable = OutputFile::check(path); !writable) return tl::unexpected(writable.error());
-    if (auto found = find_gnuplot(); !found) return tl::unexpected(drawing_error(path, found.error()));
+    if (auto found = find_gnuplot(); !found)
+        return tl::unexpected(drawing_error(path, found.error().message));
     return Picture(path, bitmap);
 }
 
-tl::expected<void, std::string> Picture::draw(const std::string& text) const {
+Result<void> Picture::draw(const std::string& text) const {
     auto picture = OutputFile::open(path_);
     if (!picture) return tl::unexpected(picture.error());
     const auto drawn_picture = draw_picture(text);
-    if (!drawn_picture) return tl::unexpected(drawing_error(path_, drawn_picture.error()));
+    if (!drawn_picture) return tl::unexpected(drawing_error(path_, drawn_picture.error().message));
     picture->write(*drawn_picture);
     return picture->commit();
 }

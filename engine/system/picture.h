@@ -3,15 +3,14 @@
 #include <filesystem>
 #include <string>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::engine {
 
-/// Returns the picture (SVG, or PNG) of a script that OutputKind::plot has made, by gnuplot. The error is a
-/// message.
-tl::expected<std::string, std::string> draw_picture(const std::string& script);
-/// Checks that gnuplot is installed. The error is a message.
-tl::expected<void, std::string> find_gnuplot();
+/// Returns the picture (SVG, or PNG) of a script that OutputKind::plot has made, by gnuplot.
+Result<std::string> draw_picture(const std::string& script);
+/// Checks that gnuplot is installed.
+Result<void> find_gnuplot();
 
 /// A picture of a run, .svg or .png by the name of its file, by gnuplot from OutputKind::plot: the path at
 /// equal scales, jet on dark, jet off grey, rapids dashed, with marks; below it the speed of the tool over
@@ -19,12 +18,12 @@ tl::expected<void, std::string> find_gnuplot();
 class Picture {
   public:
     /// Checks the name before a run, so that no run is wasted: its extension, its folder, and the presence of
-    /// gnuplot. The error is a message.
-    static tl::expected<Picture, std::string> picture_for_file(const std::filesystem::path& path);
+    /// gnuplot.
+    static Result<Picture> picture_for_file(const std::filesystem::path& path);
 
     /// Draws the picture. The error is a message; then no new picture remains, and an existing one is not
     /// changed.
-    tl::expected<void, std::string> draw(const std::string& text) const;
+    Result<void> draw(const std::string& text) const;
     /// Returns true for .png, else .svg.
     bool bitmap() const { return bitmap_; }
 

@@ -26,18 +26,20 @@ tl::expected<Contours, std::string> read_contours(const std::string& file,
     const solid::ContourOptions options{selection.tolerance_mm, selection.kind, selection.faces,
                                         selection.edges,        selection.side, selection.box_mm,
                                         selection.along_walls};
-    return solid::read_contours(file, options).map([](solid::WallContours read) {
-        Contours contours{.low_mm = read.low_mm, .high_mm = read.high_mm, .notes = std::move(read.notes)};
-        for (solid::WallContour& each : read.contours) {
-            Contours::Contour contour{
-                .face = std::move(each.face), .is_hole = each.is_hole, .is_open = each.is_open};
-            for (solid::WallEdge& edge : each.edges) contour.edges.push_back(to_edge(std::move(edge)));
-            contours.contours.push_back(std::move(contour));
-        }
-        for (solid::PartEdge& edge : read.other_edges)
-            contours.other_edges.push_back({std::move(edge.name), std::move(edge.points_mm)});
-        return contours;
-    });
+    return solid::read_contours(file, options)
+        .map_error(&gsim::Error::message)
+        .map([](solid::WallContours read) {
+            Contours contours{.low_mm = read.low_mm, .high_mm = read.high_mm, .notes = std::move(read.notes)};
+            for (solid::WallContour& each : read.contours) {
+                Contours::Contour contour{
+                    .face = std::move(each.face), .is_hole = each.is_hole, .is_open = each.is_open};
+                for (solid::WallEdge& edge : each.edges) contour.edges.push_back(to_edge(std::move(edge)));
+                contours.contours.push_back(std::move(contour));
+            }
+            for (solid::PartEdge& edge : read.other_edges)
+                contours.other_edges.push_back({std::move(edge.name), std::move(edge.points_mm)});
+            return contours;
+        });
 }
 
 }  // namespace gsim::engine

@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
 #include "engine/contours.h"
 
 namespace gsim::engine {

@@ -67,8 +67,8 @@ Vector3d SweptConvex::support(const Vector3d& direction) const {
     return second.dot(direction) > first.dot(direction) ? second : first;
 }
 
-Gap gap_between(const SweptConvex& moving, const Convex& fixed, const Isometry3d& fixed_pose,
-                const GapRequest& request) {
+Gap shape_distance(const SweptConvex& moving, const Convex& fixed, const Isometry3d& fixed_pose,
+                   const ShapeDistanceRequest& request) {
     const double margins = moving.body.margin_mm + fixed.margin_mm;
     Vector3d v = moving.from.translation() - fixed_pose.translation();
     if (!(v.squaredNorm() > 0)) v = Vector3d::UnitX();

@@ -43,7 +43,7 @@ struct Gap {
 };
 
 /// Requested accuracy of a distance.
-struct GapRequest {
+struct ShapeDistanceRequest {
     double cutoff_mm;               ///< A distance that is known to be as large need not be known better.
     double relative_tolerance = 0;  ///< Share of upper_mm by which lower_mm may fall short of it.
 };
@@ -51,7 +51,7 @@ struct GapRequest {
 /// Returns the distance between a moving body and one at standstill, by the algorithm of Gilbert, Johnson and
 /// Keerthi (IEEE J. Robotics and Automation 4, 1988). Unless less is requested, both bounds are 1e-9 mm from
 /// each other. Rounding in flat sets of corners can leave some 1e-5 mm; both bounds remain valid.
-Gap gap_between(const SweptConvex& moving, const Convex& fixed, const Eigen::Isometry3d& fixed_pose,
-                const GapRequest& request);
+Gap shape_distance(const SweptConvex& moving, const Convex& fixed, const Eigen::Isometry3d& fixed_pose,
+                   const ShapeDistanceRequest& request);
 
 }  // namespace gsim::cell

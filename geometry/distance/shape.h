@@ -47,10 +47,10 @@ class Shape {
 /// Returns the distance between a shape that moves from one pose to another and one at standstill, all in the
 /// frame of the latter; lower_mm holds for the hull of both poses. A distance above `cutoff_mm` is returned
 /// as `cutoff_mm`, with points that have no meaning.
-Gap gap_between(const Shape& moving, const Eigen::Isometry3d& from, const Eigen::Isometry3d& to,
-                const Shape& fixed, double cutoff_mm);
+Gap shape_distance(const Shape& moving, const Eigen::Isometry3d& from, const Eigen::Isometry3d& to,
+                   const Shape& fixed, double cutoff_mm);
 
 /// Returns the same for a shape at one pose.
-Gap gap_between(const Shape& first, const Eigen::Isometry3d& pose, const Shape& second, double cutoff_mm);
+Gap shape_distance(const Shape& first, const Eigen::Isometry3d& pose, const Shape& second, double cutoff_mm);
 
 }  // namespace gsim::cell

@@ -15,13 +15,14 @@ using Eigen::Vector3d;
 namespace {
 
 void check(std::span<const Vector3d> vertices, std::span<const Triangle> triangles) {
-    if (triangles.empty()) throw std::invalid_argument("a mesh needs a triangle");
+    if (triangles.empty()) throw std::invalid_argument("a mesh must have at least one triangle");
     const auto is_finite = [](const Vector3d& v) { return v.allFinite(); };
     if (!std::all_of(vertices.begin(), vertices.end(), is_finite))
         throw std::invalid_argument("a vertex of a mesh is not finite");
     for (const Triangle& triangle : triangles) {
         for (const std::uint32_t corner : triangle) {
-            if (corner >= vertices.size()) throw std::invalid_argument("a triangle has no such vertex");
+            if (corner >= vertices.size())
+                throw std::invalid_argument("a triangle refers to a vertex that does not exist");
         }
     }
 }

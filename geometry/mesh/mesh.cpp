@@ -13,7 +13,7 @@ bool is_solid_file(const std::filesystem::path& file) {
     return extension == ".step" || extension == ".stp" || extension == ".iges" || extension == ".igs";
 }
 
-tl::expected<Mesh, std::string> read_mesh(const std::filesystem::path& file, double tolerance_mm) {
+Result<Mesh> read_mesh(const std::filesystem::path& file, double tolerance_mm) {
     return query_reader_as("mesh", file, {fmt::format("{}", tolerance_mm)}, unpack_mesh);
 }
 

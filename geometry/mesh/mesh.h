@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::solid {
 
@@ -29,6 +29,6 @@ inline constexpr double kMeshTolerance_mm = 0.05;
 /// Returns the surfaces of all bodies of a STEP or IGES file as triangles that deviate from them by
 /// `tolerance_mm` (greater than 0) at most. Lengths are those of the file's unit, converted to mm. The error
 /// is a message that names the file.
-tl::expected<Mesh, std::string> read_mesh(const std::filesystem::path& file, double tolerance_mm);
+Result<Mesh> read_mesh(const std::filesystem::path& file, double tolerance_mm);
 
 }  // namespace gsim::solid

@@ -17,29 +17,29 @@ bool is_obj(std::string_view file_name) {
     return text::lower(file_name).ends_with(".obj");
 }
 
-tl::expected<TriangleSoup, std::string> read_triangles(std::string_view bytes, std::string_view file_name) {
+Result<TriangleSoup> read_triangles(std::string_view bytes, std::string_view file_name) {
     if (is_obj(file_name)) return read_obj(bytes);
     // Some binary files begin with "solid", too, so the size distinguishes them from text.
     if (is_stl_binary(bytes) || !bytes.starts_with("solid")) return read_stl_binary(bytes);
     return read_stl_text(bytes);
 }
 
-std::optional<std::string> find_error(const TriangleSoup& soup) {
-    if (soup.triangles.empty()) return "there is no triangle in it";
+std::optional<Error> find_error(const TriangleSoup& soup) {
+    if (soup.triangles.empty()) return "it contains no triangle";
     for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
         const double largest = soup.vertices[i].cwiseAbs().maxCoeff();
         if (largest <= kMaxLength_mm) continue;
-        return fmt::format("vertex {} is at {:.6g} mm; coordinates go up to {:.0f} mm", i + 1, largest,
+        return fmt::format("vertex {} is at {:.6g} mm; coordinates must be within {:.0f} mm", i + 1, largest,
                            kMaxLength_mm);
     }
     return std::nullopt;
 }
 
-tl::expected<std::shared_ptr<const TriangleMesh>, std::string> make_mesh(TriangleSoup soup,
-                                                                         std::string_view file_name,
-                                                                         double scale) {
+Result<std::shared_ptr<const TriangleMesh>> make_mesh(TriangleSoup soup, std::string_view file_name,
+                                                      double scale) {
     for (Eigen::Vector3d& vertex : soup.vertices) vertex *= scale;
-    if (const auto error = find_error(soup)) return tl::unexpected(fmt::format("{}: {}", file_name, *error));
+    if (const auto error = find_error(soup))
+        return Unexpected(fmt::format("{}: {}", file_name, error->message));
     return std::make_shared<const TriangleMesh>(std::move(soup.vertices), soup.triangles);
 }
 
@@ -53,17 +53,15 @@ TriangleSoup to_triangle_soup(const solid::Mesh& mesh) {
 
 }  // namespace
 
-tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::string_view bytes,
-                                                                         std::string_view file_name,
-                                                                         double scale) {
+Result<std::shared_ptr<const TriangleMesh>> read_mesh(std::string_view bytes, std::string_view file_name,
+                                                      double scale) {
     auto soup = read_triangles(bytes, file_name);
-    if (!soup) return tl::unexpected(fmt::format("{}{}", file_name, soup.error()));
+    if (!soup) return Unexpected(fmt::format("{}{}", file_name, soup.error().message));
     return make_mesh(*std::move(soup), file_name, scale);
 }
 
-tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(const std::filesystem::path& path,
-                                                                         double scale, double tolerance_mm,
-                                                                         const MeshFiles& files) {
+Result<std::shared_ptr<const TriangleMesh>> load_mesh(const std::filesystem::path& path, double scale,
+                                                      double tolerance_mm, const MeshFiles& files) {
     const std::string name = path.string();
     if (solid::is_solid_file(path)) {
         const auto mesh = files.read_solid(path, tolerance_mm);

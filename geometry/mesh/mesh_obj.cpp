@@ -25,7 +25,7 @@ class ObjReader {
   public:
     explicit ObjReader(std::string_view text) : words_(text) {}
 
-    tl::expected<TriangleSoup, std::string> read() {
+    Result<TriangleSoup> read() {
         do {
             const std::string_view word = words_.next_in_line();
             if (word.empty() || word.starts_with('#')) continue;
@@ -35,7 +35,7 @@ class ObjReader {
                 face();
             } else if (std::find(kIgnoredKeywords.begin(), kIgnoredKeywords.end(), word) ==
                        kIgnoredKeywords.end()) {
-                fail(fmt::format("'{:.20}' is not read; vertices (v) and faces (f) are", word));
+                fail(fmt::format("'{:.20}' is not supported, only vertices (v) and faces (f)", word));
             }
         } while (!error_ && words_.skip_line());
         if (!error_) return std::move(soup_);
@@ -51,7 +51,7 @@ class ObjReader {
         for (double& coordinate : at) {
             const std::string_view word = words_.next_in_line();
             const auto value = parse_number(word);
-            if (!value) return fail(fmt::format("a vertex has three numbers; there is '{:.20}'", word));
+            if (!value) return fail(fmt::format("a vertex must have three numbers, not '{:.20}'", word));
             coordinate = *value;
         }
         if (soup_.vertices.size() >= 3 * kMaxTriangles) return fail("too many vertices");
@@ -65,7 +65,7 @@ class ObjReader {
         const auto count = static_cast<long long>(soup_.vertices.size());
         const bool read = error == std::errc{} && end == number.data() + number.size();
         if (!read || value == 0 || value > count || value < -count) {
-            fail(fmt::format("'{:.20}' is no vertex; there are {} above this line", word, count));
+            fail(fmt::format("'{:.20}' is not a vertex; {} are defined above this line", word, count));
             return std::nullopt;
         }
         return static_cast<std::uint32_t>(value > 0 ? value - 1 : count + value);
@@ -85,19 +85,19 @@ class ObjReader {
             }
             ++count;
         }
-        if (count < 3) fail("a face has at least three vertices");
+        if (count < 3) fail("a face must have at least three vertices");
         if (soup_.triangles.size() > kMaxTriangles)
             fail(fmt::format("more than {} triangles", kMaxTriangles));
     }
 
     WordReader words_;
     TriangleSoup soup_;
-    std::optional<std::string> error_;
+    std::optional<Error> error_;
 };
 
 }  // namespace
 
-tl::expected<TriangleSoup, std::string> read_obj(std::string_view text) {
+Result<TriangleSoup> read_obj(std::string_view text) {
     return ObjReader(text).read();
 }
 

@@ -35,7 +35,7 @@ class TextReader {
   public:
     explicit TextReader(std::string_view text) : words_(text) {}
 
-    tl::expected<TriangleSoup, std::string> read() {
+    Result<TriangleSoup> read() {
         expect("solid");
         words_.skip_line();  // its name
         while (!error_) {
@@ -59,8 +59,8 @@ class TextReader {
     void fail(std::string_view expected_word, std::string_view found) {
         if (error_) return;
         const std::string what =
-            found.empty() ? std::string("the file ends") : fmt::format("there is '{:.20}'", found);
-        error_ = fmt::format(":{}: '{}' should stand here; {}", words_.line(), expected_word, what);
+            found.empty() ? std::string("the file ends") : fmt::format("found '{:.20}'", found);
+        error_ = fmt::format(":{}: '{}' is expected; {}", words_.line(), expected_word, what);
     }
     void expect(std::string_view expected_word) {
         if (error_) return;
@@ -98,7 +98,7 @@ class TextReader {
 
     WordReader words_;
     TriangleSoup soup_;
-    std::optional<std::string> error_;
+    std::optional<Error> error_;
 };
 
 }  // namespace
@@ -109,18 +109,17 @@ bool is_stl_binary(std::string_view bytes) {
     return bytes.size() == kHeaderBytes + kCountBytes + count * kTriangleBytes;
 }
 
-tl::expected<TriangleSoup, std::string> read_stl_binary(std::string_view bytes) {
+Result<TriangleSoup> read_stl_binary(std::string_view bytes) {
     if (bytes.size() < kHeaderBytes + kCountBytes) {
-        return tl::unexpected(fmt::format(
+        return Unexpected(fmt::format(
             ": {} bytes are too few for an STL file, and it does not begin with 'solid'", bytes.size()));
     }
     const std::size_t count = read_little_endian(bytes.substr(kHeaderBytes));
     if (!is_stl_binary(bytes)) {
-        return tl::unexpected(fmt::format(": a binary STL file of {} triangles has {} bytes; this one has {}",
-                                          count, kHeaderBytes + kCountBytes + count * kTriangleBytes,
-                                          bytes.size()));
+        return Unexpected(fmt::format(": a binary STL file of {} triangles must have {} bytes, not {}", count,
+                                      kHeaderBytes + kCountBytes + count * kTriangleBytes, bytes.size()));
     }
-    if (count > kMaxTriangles) return tl::unexpected(fmt::format(": more than {} triangles", kMaxTriangles));
+    if (count > kMaxTriangles) return Unexpected(fmt::format(": more than {} triangles", kMaxTriangles));
     TriangleSoup soup;
     soup.vertices.reserve(3 * count);
     soup.triangles.reserve(count);
@@ -134,14 +133,14 @@ tl::expected<TriangleSoup, std::string> read_stl_binary(std::string_view bytes) 
                       read_float(triangle, offset + 8)};
             offset += 12;
             if (corner.allFinite()) continue;
-            return tl::unexpected(fmt::format(": triangle {} has a coordinate that is not finite", i + 1));
+            return Unexpected(fmt::format(": triangle {} has a coordinate that is not finite", i + 1));
         }
         soup.add(corners);
     }
     return soup;
 }
 
-tl::expected<TriangleSoup, std::string> read_stl_text(std::string_view text) {
+Result<TriangleSoup> read_stl_text(std::string_view text) {
     return TextReader(text).read();
 }
 

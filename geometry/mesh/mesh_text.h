@@ -8,8 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "geometry/distance/triangle_mesh.h"
 
 namespace gsim::cell {
@@ -49,9 +48,9 @@ std::optional<double> parse_number(std::string_view word);
 
 /// Reads one of the formats, as the next functions do; errors are ": message" or ":line: message", to be
 /// appended to a file name.
-tl::expected<TriangleSoup, std::string> read_stl_text(std::string_view text);
-tl::expected<TriangleSoup, std::string> read_stl_binary(std::string_view bytes);
-tl::expected<TriangleSoup, std::string> read_obj(std::string_view text);
+Result<TriangleSoup> read_stl_text(std::string_view text);
+Result<TriangleSoup> read_stl_binary(std::string_view bytes);
+Result<TriangleSoup> read_obj(std::string_view text);
 /// True if the size is that required by the count in the header of a binary STL file.
 bool is_stl_binary(std::string_view bytes);
 

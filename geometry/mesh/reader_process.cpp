@@ -23,24 +23,22 @@ namespace {
 constexpr std::uintmax_t kMaxBytes = 256ULL << 20U;
 constexpr bool kHasReader = GSIM_HAS_OPENCASCADE != 0;
 
-using Unexpected = tl::unexpected<std::string>;
-
 std::string message(int error) {
     return std::generic_category().message(error);
 }
 
-tl::expected<std::filesystem::path, std::string> reader_program() {
-    return os::helper_program(os::program_folder(), "gsim-solid").map_error([](const std::string& message) {
-        return message + "; it reads STEP and IGES files";
+Result<std::filesystem::path> reader_program() {
+    return os::helper_program(os::program_folder(), "gsim-solid").map_error([](const Error& error) {
+        return Error(error.message + "; it reads STEP and IGES files");
     });
 }
 
-tl::expected<void, std::string> check_file(const std::filesystem::path& file) {
+Result<void> check_file(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (error) return Unexpected(fmt::format("cannot read '{}': {}", file.string(), error.message()));
     if (!std::filesystem::is_regular_file(status))
-        return Unexpected(fmt::format("cannot read '{}': it is no regular file", file.string()));
+        return Unexpected(fmt::format("cannot read '{}': it is not a regular file", file.string()));
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error) return Unexpected(fmt::format("cannot read '{}': {}", file.string(), error.message()));
     if (size > kMaxBytes)
@@ -62,17 +60,15 @@ std::string read_to_end(int descriptor) {
 // Returns why a reader ended without a result.
 std::string exit_reason(int status) {
     if (!WIFSIGNALED(status)) return fmt::format("OpenCASCADE ended with status {}", WEXITSTATUS(status));
-    if (WTERMSIG(status) == SIGXCPU) return "OpenCASCADE does not come to an end with it";
-    return fmt::format(
-        "OpenCASCADE crashed over it (signal {}); the file is damaged, or too large for the memory",
-        WTERMSIG(status));
+    if (WTERMSIG(status) == SIGXCPU) return "OpenCASCADE exceeded its time limit";
+    return fmt::format("OpenCASCADE crashed (signal {}); the file is damaged, or too large for the memory",
+                       WTERMSIG(status));
 }
 
 }  // namespace
 
-tl::expected<std::string, std::string> query_reader(const std::string& request,
-                                                    const std::filesystem::path& file,
-                                                    const std::vector<std::string>& settings) {
+Result<std::string> query_reader(const std::string& request, const std::filesystem::path& file,
+                                 const std::vector<std::string>& settings) {
     if (!kHasReader) {
         return Unexpected(
             fmt::format("'{}': this build does not read STEP and IGES files; install OpenCASCADE "
@@ -83,7 +79,8 @@ tl::expected<std::string, std::string> query_reader(const std::string& request,
     const auto program = reader_program();
     if (!program) return Unexpected(program.error());
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected(fmt::format("no pipe: {}", message(errno)));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return Unexpected(fmt::format("cannot create a pipe: {}", message(errno)));
     const os::Descriptor input(ends[0]);
     os::Descriptor output(ends[1]);
     std::vector<std::string> command{program->string(), request, std::filesystem::absolute(file).string()};
@@ -96,7 +93,8 @@ tl::expected<std::string, std::string> query_reader(const std::string& request,
     output.close();
     std::string response = read_to_end(input.number());
     const auto status = os::wait_for(*child);
-    if (!status) return Unexpected(fmt::format("lost {}: {}", command[0], message(status.error())));
+    if (!status)
+        return Unexpected(fmt::format("cannot wait for {}: {}", command[0], message(status.error())));
     if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0 || response.empty())
         return Unexpected(fmt::format("'{}' cannot be read: {}", file.string(), exit_reason(*status)));
     PacketReader packet(response);

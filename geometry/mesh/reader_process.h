@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "geometry/mesh/packet.h"
 
 namespace gsim::solid {
@@ -19,21 +20,20 @@ namespace gsim::solid {
 ///
 /// The error is a message that names the file: it does not exist, is too large, gsim-solid reports an error
 /// in it or crashed, or this build has no gsim-solid.
-tl::expected<std::string, std::string> query_reader(const std::string& request,
-                                                    const std::filesystem::path& file,
-                                                    const std::vector<std::string>& settings);
+Result<std::string> query_reader(const std::string& request, const std::filesystem::path& file,
+                                 const std::vector<std::string>& settings);
 
 /// Returns the result of `take` for the packet (PacketReader), which it must consume completely.
 template <typename MeshHandler>
 auto query_reader_as(const std::string& request, const std::filesystem::path& file,
                      const std::vector<std::string>& settings, MeshHandler visit)
-    -> tl::expected<std::invoke_result_t<MeshHandler, PacketReader&>, std::string> {
+    -> Result<std::invoke_result_t<MeshHandler, PacketReader&>> {
     const auto response = query_reader(request, file, settings);
     if (!response) return tl::unexpected(response.error());
     PacketReader packet(*response);
     auto result = visit(packet);
     if (packet.is_complete()) return result;
-    return tl::unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
+    return Unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
 }
 
 }  // namespace gsim::solid

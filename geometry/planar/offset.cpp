@@ -124,7 +124,7 @@ tl::expected<std::vector<Contour>, OffsetError> offset_right(const Contour& cont
         stitch_result = stitch(parts);
         if (!stitch_result.loose_end) return std::move(stitch_result.contours);
     }
-    return tl::unexpected(OffsetError{*stitch_result.loose_end, "the offset does not close"});
+    return tl::unexpected(OffsetError{{"the offset does not close"}, *stitch_result.loose_end});
 }
 
 }  // namespace

@@ -1,18 +1,17 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "geometry/planar/contour.h"
 
 namespace gsim::geometry {
 
 /// Position and reason of a missing offset.
-struct OffsetError {
+struct OffsetError : Error {
     Point location;
-    std::string message;
 };
 
 /// Returns the curve at a distance to the right of a closed contour that does not cross itself, with rounded

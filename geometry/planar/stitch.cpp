@@ -88,16 +88,16 @@ class Followers {
 class Stitcher {
   public:
     explicit Stitcher(const std::vector<DirectedPart>& parts)
-        : parts_(parts), followers_(parts), free_(followers_.find_live_parts()) {
+        : parts_(parts), followers_(parts), is_free_(followers_.find_live_parts()) {
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (!free_[i] && length_mm(parts[i].edge) > kMaxLooseLength_mm)
+            if (!is_free_[i] && length_mm(parts[i].edge) > kMaxLooseLength_mm)
                 result_.loose_end = parts[i].edge.end;
         }
     }
 
     StitchResult run() {
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            if (free_[i]) trace_chain(i);
+            if (is_free_[i]) trace_chain(i);
         }
         return std::move(result_);
     }
@@ -108,7 +108,7 @@ class Stitcher {
         double length = 0;
         std::size_t part = first;
         do {
-            free_[part] = false;
+            is_free_[part] = false;
             path_.push_back(part);
             length += length_mm(parts_[part].edge);
             part = next(part, first);
@@ -127,7 +127,7 @@ class Stitcher {
             // If two parts almost coincide, the other one would lead past the end.
             if (follower == first) return first;
             const double gap = distance(parts_[part].edge.end, parts_[follower].edge.start);
-            if (free_[follower] && gap < nearest) {
+            if (is_free_[follower] && gap < nearest) {
                 best = follower;
                 nearest = gap;
             }
@@ -151,7 +151,7 @@ class Stitcher {
 
     const std::vector<DirectedPart>& parts_;
     Followers followers_;
-    std::vector<bool> free_;
+    std::vector<bool> is_free_;
     std::vector<std::size_t> path_;
     StitchResult result_;
 };

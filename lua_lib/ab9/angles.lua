@@ -2,11 +2,12 @@
 -- follows. With no coordinate the line ends at the intersection with the line of the next block, which has ,A
 -- and both coordinates. In Lua: `line_angle(30) G1{x=10}`.
 
+local dialect = use "core/dialect"
 local alarm, copied, given = use("core/basics", "alarm", "copied", "given")
 local word = use("core/words", "word")
 local ab9_corners, ab9_macros, axes, motion, path =
-  use "ab9/corners", use "ab9/macros", use "core/axes", use "common/motion", use "core/path"
-local plane_geometry, plane_view, polar, state = use "ab9/geometry", use "core/plane_view", use "common/polar", use "core/state"
+  dialect.use "corners", dialect.use "macros", use "core/axes", use "common/motion", use "core/path"
+local plane_geometry, plane_view, polar, state = dialect.use "geometry", use "core/plane_view", use "common/polar", use "core/state"
 
 local STRAIGHT = plane_geometry.straight
 
@@ -41,7 +42,7 @@ end
 -- and its angle.
 local function crossing(words, p, degrees)
   if degrees == nil or words[p.first] == nil or words[p.second] == nil or core.is_incremental() then
-    alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
+    alarm("corner", ",A without an end requires a next block with ,A and both coordinates of the plane, absolute")
   end
   local point = plane_geometry.intersect(
     { from = waiting.start, direction = direction_at_angle(waiting.degrees) },
@@ -57,21 +58,21 @@ end
 -- Filter in the path while an angle waits for its motion or the end of a line is open: all other moves are
 -- errors.
 local guard = { rank = 5 }
-local guarding = false
+local is_guarding = false
 
 local function guard_path(on)
-  if on == guarding then return end
-  guarding = on
+  if on == is_guarding then return end
+  is_guarding = on
   if on then path.add_filter(guard) else path.remove_filter(guard) end
 end
 
 local function check_no_open_angle()
   if angle then
     angle = nil
-    alarm("corner", ",A belongs to a straight move (G0, G1) in its block")
+    alarm("corner", ",A requires a straight move (G0, G1) in its block")
   elseif waiting then
     waiting = nil
-    alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane")
+    alarm("corner", ",A without an end requires a next block with ,A and both coordinates of the plane")
   end
 end
 
@@ -94,7 +95,7 @@ function guard:act(f) self.next:act(f) end
 function guard:flush() check_no_open_angle() end
 
 local function buffer_line(words, degrees)
-  if ab9_macros.modal_code() ~= 67 then alarm("corner", ",A without an end does not go with a modal macro (G66)") end
+  if ab9_macros.modal_code() ~= 67 then alarm("corner", ",A without an end cannot be combined with a modal macro (G66)") end
   local rapid = core.motion() == "G0"
   waiting = {
     degrees = degrees, words = words, start = program_point(plane_view.planes[core.plane()]), plane = core.plane(),
@@ -118,11 +119,11 @@ local function output_buffered_line(words)
 end
 
 local function check_words(words)
-  if core.motion() ~= "G0" and core.motion() ~= "G1" then alarm("corner", ",A belongs to straight moves (G0, G1)") end
-  if state.polar then alarm("corner", ",A does not go with polar programming (G16)") end
+  if core.motion() ~= "G0" and core.motion() ~= "G1" then alarm("corner", ",A applies to straight moves (G0, G1)") end
+  if state.polar then alarm("corner", ",A cannot be combined with polar programming (G16)") end
   for _, letter in ipairs { "u", "v", "w" } do
     if words[letter] ~= nil and axes.is_rotary[letter] == nil then
-      alarm("corner", ",A goes with X, Y and Z, and not with the increment %s", letter:upper())
+      alarm("corner", ",A can be combined with X, Y and Z, but not with the increment %s", letter:upper())
     end
   end
 end
@@ -140,7 +141,7 @@ local function resolve(words, degrees)
   end
   local has_first, has_second = words[p.first] ~= nil, words[p.second] ~= nil
   if has_first and has_second then
-    alarm("corner", ",A with both %s and %s says the line twice; leave one out", p.first:upper(), p.second:upper())
+    alarm("corner", ",A with both %s and %s defines the line twice; omit one of them", p.first:upper(), p.second:upper())
   end
   if has_first or has_second then return complete(words, p, degrees) end
   buffer_line(words, degrees)

@@ -16,7 +16,7 @@ local comp_filter, g, comp_override = use "common/comp_filter", use "common/comp
 local LOOK_AHEAD = 20            -- actions and moves outside the plane that may lie between two moves in it
 local SMALLEST_BLOCK_MM = 0.001  -- ends at most this far apart are joined by one block
 local SAME_POINT_MM = 1e-6
-local CUT_BACK_RAD = 0.001       -- by which an arc may come out longer than programmed
+local MAX_ARC_EXCESS_RAD = 0.001       -- by which an arc may come out longer than programmed
 local CUSP_RAD = 0.05            -- a turn back by half a turn, within the rounding of coordinates
 
 local ab9 = comp_filter.derive()
@@ -56,11 +56,11 @@ function ab9:output_arc_parts(item, point, sweep)
   end
 end
 
-local TOO_SHORT = "%s is too short between its corners, so that the tool would run backwards and gouge the path"
+local TOO_SHORT_MESSAGE = "%s is too short between its corners, so the tool would move backwards and gouge the path"
 
 function ab9:output_line(item, point)
   if not item.entry and g.dot(item.segment.heading[1], g.minus(point, item.begin)) < -SAME_POINT_MM then
-    self:raise_alarm(item, TOO_SHORT)
+    self:raise_alarm(item, TOO_SHORT_MESSAGE)
   end
   local from = item.begin
   for _, part in ipairs(self:parts(item, g.distance(from, point))) do
@@ -72,15 +72,15 @@ end
 function ab9:output_circle(item, point)
   local segment = item.segment
   local sweep = g.swept_after(item.begin, point, segment.centre, segment.turn, segment.sweep)
-  if sweep <= segment.sweep + CUT_BACK_RAD then
+  if sweep <= segment.sweep + MAX_ARC_EXCESS_RAD then
     self:output_arc_parts(item, point, sweep)
   elseif g.distance(item.begin, point) > SAME_POINT_MM then
-    self:raise_alarm(item, TOO_SHORT)
+    self:raise_alarm(item, TOO_SHORT_MESSAGE)
   end
 end
 
 -- Outputs what came after the pending move.
-function ab9:output_between()
+function ab9:output_waiting_items()
   for _, other in ipairs(self.between) do self:output_other(other) end
   self.between, self.waiting = {}, false
 end
@@ -89,7 +89,7 @@ end
 function ab9:finish(point)
   local item = self.before
   if item.kind == "arc" then self:output_circle(item, point) else self:output_line(item, point) end
-  self:output_between()
+  self:output_waiting_items()
 end
 
 -- Generated blocks: straight through these points, at the feed of the move that follows them, without motion
@@ -120,8 +120,8 @@ end
 
 function ab9:inside_corner(p, q, from, to, angle)
   if not self.waiting then
-    core.warn(("cutter compensation: the tool went to the end of a move before the inside corner behind it was known, "
-      .. "and cuts too far there; up to %d actions and moves outside the plane may lie between"):format(LOOK_AHEAD))
+    core.warn(("cutter compensation: the tool moved to the end of a move before the following inside corner was known, "
+      .. "and cuts too far there; at most %d actions and moves outside the plane may be in between"):format(LOOK_AHEAD))
     self:join(q, { to })
     return
   end
@@ -230,7 +230,7 @@ function ab9:interrupt()
   if item then
     if self.waiting and item.kind ~= "arc" then
       self:output_straight(item, item.segment.to)
-      self:output_between()
+      self:output_waiting_items()
     else
       self:close()
       if item.kind == "arc" then item.kind = "line" end
@@ -265,7 +265,7 @@ function ab9:take(item)
   if not before then
     if item.kind == "arc" then
       alarm("compensation",
-        "the entry move into cutter compensation is straight (G0 or G1), not an arc; this is the first move in "
+        "the entry move into cutter compensation must be straight (G0 or G1), not an arc; this is the first move in "
         .. "plane %s after G41 or G42", self.plane:upper())
     end
     item.entry = true

@@ -1,15 +1,16 @@
 -- Chamfers (,C) and corner radii (,R): a corner is between the move that has it and the next one; both lie in
 -- the active plane. The move is buffered until the next one is known. In Lua: `corner(2) G1{x=10}`.
 
-local alarm, copied, given, space_between = use("core/basics", "alarm", "copied", "given", "space_between")
+local dialect = use "core/dialect"
+local alarm, copied, given, distance_in_space = use("core/basics", "alarm", "copied", "given", "distance_in_space")
 local feed_of_part = use("common/feed", "feed_of_part")
 local word = use("core/words", "word")
-local axes, path, plane_geometry, plane_view = use "core/axes", use "core/path", use "ab9/geometry", use "core/plane_view"
+local axes, path, plane_geometry, plane_view = use "core/axes", use "core/path", dialect.use "geometry", use "core/plane_view"
 
 local geometry = plane_geometry
 local SAME_MM, STRAIGHT = geometry.same_mm, geometry.straight
 
-local KEYS = { chamfer = ",C", corner = ",R" }
+local WORD_NAMES = { chamfer = ",C", corner = ",R" }
 
 local requested_corner       -- { key, size_mm, plane, place } for the move of the block
 local held         -- the pending move, with its corner
@@ -39,25 +40,25 @@ local function motion_out_of_plane(move, plane)
   local p, view = plane_view.planes[plane], plane_view.view(plane)
   local target = all_axes(move.target, move)
   if math.abs(view:height(target) - view:height(move.start)) > SAME_MM then
-    return p and "goes along " .. p.third:upper() .. " too" or "leaves it"
+    return p and "has a component along " .. p.third:upper() .. " too" or "leaves it"
   end
   for _, axis in ipairs(axes.list) do
     local letter = axis.letter
     local in_space = letter == "x" or letter == "y" or letter == "z"
     if not in_space and math.abs(target[letter] - move.start[letter]) > SAME_MM then
-      return "goes along " .. letter:upper() .. " too"
+      return "has a component along " .. letter:upper() .. " too"
     end
   end
 end
 
 local function check_plane(move, other_plane, mark)
   if move.arc and not plane_view.same_plane(move.plane, other_plane) then
-    alarm("corner", "%s joins two moves in one plane; the arc is not in the plane of the move before", mark)
+    alarm("corner", "%s must join two moves in one plane; the arc is not in the plane of the previous move", mark)
   end
   local other_motion, p = motion_out_of_plane(move, other_plane), plane_view.planes[other_plane]
   if other_motion == nil then return end
   local where = p and ("the plane of %s and %s"):format(p.first:upper(), p.second:upper()) or "one plane"
-  alarm("corner", "%s joins two moves in %s; this move %s", mark, where, other_motion)
+  alarm("corner", "%s must join two moves in %s; this move %s", mark, where, other_motion)
 end
 
 local filter = { rank = 10 }   -- on the programmed path, before all that shifts it
@@ -111,7 +112,7 @@ local function turn_sense(mark, before, after)
   local turn = geometry.cross(before, after)
   if math.abs(turn) >= STRAIGHT then return turn > 0 and 1 or -1 end
   if geometry.dot(before, after) < 0 then
-    alarm("corner", "%s: the next move goes back the way this one came", mark)
+    alarm("corner", "%s: the next move reverses the direction of this one", mark)
   end
   return 0
 end
@@ -119,7 +120,7 @@ end
 -- Outputs the pending move up to the corner and the corner. Returns the remainder of the second move, or nil.
 -- Moves that continue in one direction have no corner.
 local function join(first, second)
-  local mark, size = KEYS[first.corner.key], first.corner.size_mm
+  local mark, size = WORD_NAMES[first.corner.key], first.corner.size_mm
   check_plane(second, first.plane, mark)
   second.plane = first.plane
   local a, b = element_of(first), element_of(second)
@@ -162,7 +163,7 @@ local function has_motion(move)
   return false
 end
 
-local function fail_without_motion(corner) alarm("corner", "%s stands in a block that does not move", KEYS[corner.key]) end
+local function fail_without_motion(corner) alarm("corner", "%s is in a block without a move", WORD_NAMES[corner.key]) end
 
 local function consume_corner(move)
   local own = requested_corner
@@ -179,12 +180,12 @@ local function take(move)
     if own then fail_without_motion(own) end
     return
   end
-  if own then check_plane(move, own.plane, KEYS[own.key]) end
+  if own then check_plane(move, own.plane, WORD_NAMES[own.key]) end
   if held then
     local first = held
     held = nil
     move = join(first, move)
-    if move == nil and own then alarm("corner", "%s: the corner before takes all of its move", KEYS[own.key]) end
+    if move == nil and own then alarm("corner", "%s: the previous corner consumes its complete move", WORD_NAMES[own.key]) end
   end
   if move and own then
     held = move
@@ -208,14 +209,14 @@ end
 
 local function fail_if_pending(what)
   if held == nil then return end
-  local mark = KEYS[held.corner.key]
+  local mark = WORD_NAMES[held.corner.key]
   held = nil
-  alarm("corner", "%s joins its move to the next feed move (G1, G2, G3), but %s", mark, what)
+  alarm("corner", "%s must be followed by a feed move (G1, G2, G3), but %s", mark, what)
 end
 
 function filter:rapid(target, place)
   if requested_corner and requested_corner.place == place then
-    alarm("corner", "%s belongs to G1, G2 and G3, not to G0", KEYS[requested_corner.key])
+    alarm("corner", "%s applies to G1, G2 and G3, not to G0", WORD_NAMES[requested_corner.key])
   end
   fail_if_pending("a rapid follows")
   consume_corner { place = place }
@@ -228,7 +229,7 @@ function filter:act(f)
 end
 
 function filter:flush()
-  fail_if_pending("none follows before the machine must stand")
+  fail_if_pending("none follows before a standstill")
   if requested_corner then
     local corner = requested_corner
     requested_corner = nil
@@ -238,24 +239,24 @@ end
 
 -- Returns the factor by which scaling changes lengths in a plane.
 local function plane_scale(p, mark)
-  local function factor(letter) return space_between({}, axes.direction(letter)) end
+  local function factor(letter) return distance_in_space({}, axes.direction(letter)) end
   local a, b = factor(p.first), factor(p.second)
   if math.abs(a - b) > 1e-9 * a then
-    alarm("corner", "%s needs both axes of the plane scaled alike, and they are scaled by %.10g and %.10g", mark, a, b)
+    alarm("corner", "%s requires equal scales of both axes of the plane, but they are %.10g and %.10g", mark, a, b)
   end
   return a
 end
 
 local function corner_word(key)
   word(key, function(size)
-    if not given(size, KEYS[key]) then return end
+    if not given(size, WORD_NAMES[key]) then return end
     if not (size >= 0 and size < math.huge) then
-      alarm("corner", "%s is a length of 0 or more, not %.10g", KEYS[key], size)
+      alarm("corner", "%s must be a length of 0 or more, not %.10g", WORD_NAMES[key], size)
     end
-    if requested_corner and requested_corner.place == core.place() then alarm("corner", "a corner takes ,C or ,R, not both") end
+    if requested_corner and requested_corner.place == core.place() then alarm("corner", "a corner must have ,C or ,R, not both") end
     if requested_corner then fail_without_motion(requested_corner) end
     if size == 0 then return end
-    local scale = plane_scale(plane_view.planes[core.plane()], KEYS[key])
+    local scale = plane_scale(plane_view.planes[core.plane()], WORD_NAMES[key])
     local plane = plane_view.machine_plane(core.plane())
     requested_corner = { key = key, size_mm = size * core.unit_mm() * scale, plane = plane, place = core.place() }
     install()

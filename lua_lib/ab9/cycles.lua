@@ -3,7 +3,7 @@
 -- from R. They and P, Q and the shift are valid, for all cycles, until G80 or a motion code ends the series.
 
 local alarm, check_table = use("core/basics", "alarm", "check_table")
-local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
+local with_compensation_check, word, word_id = use("core/words", "with_compensation_check", "word", "id")
 local axes, cycles, motion, overrides, path = use "core/axes", use "common/cycles", use "common/motion", use "common/overrides", use "core/path"
 local plane_view, polar, spindle, state = use "core/plane_view", use "common/polar", use "common/spindle", use "core/state"
 
@@ -151,7 +151,7 @@ local function read_levels(words, name, p)
   local from_r = axes.is_rotary[increment[p.third]] == nil and length(words, increment[p.third], name) or nil
   if r ~= nil then held.r = core.is_incremental() and held.initial + r or r end
   if held.r == nil and (from_r ~= nil or core.is_incremental() and depth ~= nil) then
-    alarm("word-missing", "%s needs R, the level from which its depth counts", name)
+    alarm("word-missing", "%s requires R, the level from which its depth is measured", name)
   end
   if depth ~= nil then held.bottom = core.is_incremental() and held.r + depth or depth end
   if from_r ~= nil then held.bottom = held.r + from_r end
@@ -200,20 +200,20 @@ end
 
 local function read_repeats(words, name)
   if words.l ~= nil and words.k ~= nil and not is_shifted[name] then
-    alarm("word-out-of-place", "%s takes its repeats as L or as K, not as both", name)
+    alarm("word-out-of-place", "%s requires its repeats as L or as K, not both", name)
   end
   if words.l == nil and not is_shifted[name] then return cycles.repeats(cycles.word(words, "k", name), "K", name) end
   return cycles.repeats(cycles.word(words, "l", name), "L", name)
 end
 
 local function check_words(name, p)
-  if held.r == nil then alarm("word-missing", "%s needs R, the level of retraction", name) end
-  if held.bottom == nil then alarm("word-missing", "%s needs %s, the depth of the hole", name, p.third:upper()) end
+  if held.r == nil then alarm("word-missing", "%s requires R, the retract level", name) end
+  if held.bottom == nil then alarm("word-missing", "%s requires %s, the depth of the hole", name, p.third:upper()) end
   if (name == "G73" or name == "G83") and held.q == nil then
-    alarm("word-missing", "%s needs Q, the depth of a peck", name)
+    alarm("word-missing", "%s requires Q, the depth of a peck", name)
   end
   if is_shifted[name] and held.shift_first == 0 and held.shift_second == 0 then
-    alarm("word-missing", "%s needs the shift off the wall: Q, or %s and %s", name, p.i:upper(), p.j:upper())
+    alarm("word-missing", "%s requires the shift away from the wall: Q, or %s and %s", name, p.i:upper(), p.j:upper())
   end
 end
 
@@ -243,7 +243,7 @@ local function drill(name, words)
 end
 
 for name in pairs(strokes) do
-  local modal = motion.new(name, core.word(word_id(), if_allowed(name, function(words) drill(name, words) end)))
+  local modal = motion.new(name, core.word(word_id(), with_compensation_check(name, function(words) drill(name, words) end)))
   word(name, function(words)
     if not cycles.is_cycle(core.motion()) then
       motion_before_series = core.motion_id()

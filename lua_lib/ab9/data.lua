@@ -2,9 +2,10 @@
 -- value itself, G91: added to the value in the table. An active tool offset stays as it is until it is called
 -- again.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local ab9_frames, ab9_transform, frames, tools = use "ab9/frames", use "ab9/transform", use "common/frames", use "common/tools"
+local ab9_frames, ab9_transform, frames, tools = dialect.use "frames", dialect.use "transform", use "common/frames", use "common/tools"
 
 local LAST_TOOL = 999
 local FIRST_SETTABLE, LAST_SETTABLE = 505, 599
@@ -23,8 +24,8 @@ local function whole(words, letter, least, most)
   local value = words[letter]
   local number = type(value) == "number" and math.tointeger(math.floor(value + 0.5))
   if not number or math.abs(value - number) > 1e-6 or number < least or number > most then
-    alarm("word-value", "G10: %s is a whole number from %d to %d, not %s", letter:upper(), least, most,
-      value == nil and "left out" or tostring(value))
+    alarm("word-value", "G10: %s must be an integer from %d to %d, not %s", letter:upper(), least, most,
+      value == nil and "a missing value" or tostring(value))
   end
   return number
 end
@@ -33,7 +34,7 @@ local function new_value(old, value) return core.is_incremental() and (old or 0)
 
 local function set_axes(words, set)
   if not frames.each_axis(words, "G10", " l p ", set) then
-    alarm("word-missing", "G10 needs the axis words that it is to set")
+    alarm("word-missing", "G10 requires the axis words that it sets")
   end
 end
 
@@ -90,12 +91,12 @@ local function tool_offset(words, place)
   local number = whole(words, "p", 1, LAST_TOOL)
   for key in pairs(words) do
     if key ~= "l" and key ~= "p" and key ~= "r" then
-      alarm("word-out-of-place", "G10 L%d sets %s of offset P by R; it takes no word %s", words.l, place.what,
+      alarm("word-out-of-place", "G10 L%d sets %s of offset P by R; it does not accept the word %s", words.l, place.what,
         tostring(key):upper())
     end
   end
   if type(words.r) ~= "number" then
-    alarm("word-missing", "G10 L%d needs R, %s in program units", words.l, place.what)
+    alarm("word-missing", "G10 L%d requires R, %s in program units", words.l, place.what)
   end
   local old = tool_component(number, place.field, place.part)
   set_tool_component(number, place.field, place.part, new_value(old, words.r * core.unit_mm()))
@@ -103,7 +104,7 @@ end
 
 word("G10", function(words)
   if words == nil or words.l == nil then
-    alarm("word-missing", "G10 needs L: L2 (work coordinate systems), L20 (settable frames), L10 to L13 (tool offsets)")
+    alarm("word-missing", "G10 requires L: L2 (work coordinate systems), L20 (settable frames), L10 to L13 (tool offsets)")
   end
   local list = whole(words, "l", 0, 99)
   if list == 2 then
@@ -113,7 +114,7 @@ word("G10", function(words)
   elseif tables[list] then
     tool_offset(words, tables[list])
   else
-    alarm("word-value", "G10 L%d sets nothing here; there are L2, L20 and L10 to L13", list)
+    alarm("word-value", "G10 L%d is not supported; use L2, L20 or L10 to L13", list)
   end
 end)
 
@@ -121,6 +122,6 @@ end)
 word("G11", function() end)
 
 -- G12 is in the thesis's grammar next to G10 and G11, without any data of its own.
-word("G12", function() alarm("word-value", "G12 sets nothing on this control; data setting is G10") end)
+word("G12", function() alarm("word-value", "G12 has no effect on this controller; set data with G10") end)
 
 return { tool_component = tool_component, set_tool_component = set_tool_component, set_work_offset = set_work_offset }

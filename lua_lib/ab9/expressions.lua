@@ -34,7 +34,7 @@ function env.FUP(a) a = number_of(a) return (a < 0 and math.floor(a) or math.cei
 -- BIN reads each group of four bits as a decimal digit, BCD is its inverse.
 local function digits(value, from, to)
   local rest, result, weight = bits(value), 0, 1
-  if rest < 0 then alarm("arithmetic", "BIN and BCD take numbers from 0 on") end
+  if rest < 0 then alarm("arithmetic", "BIN and BCD require numbers of 0 or greater") end
   while rest > 0 do
     result = result + (rest % from) * weight
     rest, weight = rest // from, weight * to

@@ -88,7 +88,7 @@ end)
 
 -- G53: this block moves in machine coordinates, absolute.
 word("G53", function()
-  axes.refuse_with_tcp_control("G53")
+  axes.reject_with_tcp_control("G53")
   core.machine_frame_once()
 end)
 

@@ -25,7 +25,7 @@ local function homes(number)
   local stored = core.homes[number]
   if stored == nil then
     alarm("home",
-      "G30 P%d: home position %d is not defined; machine data defines it in section HOME, or the machine file",
+      "G30 P%d: home position %d is not defined; define it in the section HOME of machine data, or in the machine file",
       number, number)
   end
   return stored
@@ -39,7 +39,7 @@ local function complete_target(values)
 end
 
 local function move_home(words, number, code)
-  axes.refuse_with_tcp_control(code)
+  axes.reject_with_tcp_control(code)
   local home, target = homes(number), {}
   for _, axis in ipairs(axes.list) do
     if is_named(words, axis.letter) then
@@ -73,15 +73,15 @@ word("G30", function(words)
     end
   end
   if type(number) ~= "number" or number % 1 ~= 0 or number < 2 or number > 4 then
-    alarm("home", "G30: P is the number of a home position, 2 to 4, not %s", tostring(number))
+    alarm("home", "G30: P must be the number of a home position, 2 to 4, not %s", tostring(number))
   end
   move_home(rest, math.tointeger(number), "G30")
 end)
 
 -- G29 moves the axes that it names; an increment counts from the intermediate point.
 word("G29", function(words)
-  if words == nil then alarm("word-missing", "G29 needs the axis words of its target") end
-  axes.refuse_with_tcp_control("G29")
+  if words == nil then alarm("word-missing", "G29 requires the axis words of its target") end
+  axes.reject_with_tcp_control("G29")
   local through = {}
   for letter, value in pairs(way or {}) do
     if is_named(words, letter) then through[letter] = value end
@@ -91,14 +91,14 @@ word("G29", function(words)
 end)
 
 word("G27", function(words)
-  axes.refuse_with_tcp_control("G27")
+  axes.reject_with_tcp_control("G27")
   if words ~= nil then path.rapid(core.target(words)) end
   path.flush()
   for _, axis in ipairs(axes.list) do
     local position = core.machine_position(axis.letter)
     local home = core.turned(axis.letter, axis.home)
     if is_named(words, axis.letter) and math.abs(position - home) > SAME then
-      alarm("home", "G27: axis %s stands at %.10g, not at its home %.10g", axis.letter:upper(), position, axis.home)
+      alarm("home", "G27: axis %s is at %.10g, not at its home %.10g", axis.letter:upper(), position, axis.home)
     end
   end
 end)
@@ -113,7 +113,7 @@ local function skip_position() return skipped_at end
 -- machine.
 word("G31", function(words)
   local target, named = core.target(words)
-  if not named then alarm("word-missing", "G31 needs the axis words of its target") end
+  if not named then alarm("word-missing", "G31 requires the axis words of its target") end
   local _, _, point = move_until_signal(target, false)
   skipped_at = point
 end)

@@ -14,17 +14,17 @@ local variable_by_key = {
   a = 1, b = 2, c = 3, d = 7, e = 8, f = 9, h = 11, i = 4, j = 5, k = 6, m = 13, q = 17, r = 18, s = 19, t = 20,
   u = 21, v = 22, w = 23, x = 24, y = 25, z = 26,
 }
-local in_set = { i = 0, j = 1, k = 2 }
+local position_in_set = { i = 0, j = 1, k = 2 }
 local MAX_SETS = 10
 
 local level = 0
 
 local function put(locals, number, value, letter)
   if value ~= nil and type(value) ~= "number" then
-    alarm("script", "the argument %s of a macro call is no number", letter:upper())
+    alarm("script", "the argument %s of a macro call is not a number", letter:upper())
   end
   if locals[number] ~= nil then
-    alarm("word-value", "two arguments of the macro call go to #%d, the last one by %s; give one of them", number,
+    alarm("word-value", "two arguments of the macro call set #%d, the last one by %s; give only one of them", number,
       letter:upper())
   end
   locals[number] = value
@@ -35,13 +35,13 @@ local function assign_sets(locals, pairs_in_order)
   local set, last = 0, math.huge
   for _, pair in ipairs(pairs_in_order) do
     local letter, value = pair[1], pair[2]
-    local rank = in_set[letter]
+    local rank = position_in_set[letter]
     if rank == nil then
-      alarm("word-value", "a macro call repeats I, J and K alone, not %s", tostring(letter):upper())
+      alarm("word-value", "a macro call repeats only I, J and K, not %s", tostring(letter):upper())
     end
     if rank <= last then set = set + 1 end
     last = rank
-    if set > MAX_SETS then alarm("word-value", "a macro call takes at most %d sets of I, J and K", MAX_SETS) end
+    if set > MAX_SETS then alarm("word-value", "a macro call accepts at most %d sets of I, J and K", MAX_SETS) end
     put(locals, 3 * set + 1 + rank, value, letter)
   end
 end
@@ -53,7 +53,7 @@ local function arguments(words, code, skipped)
     if type(key) == "string" and not skipped[key] then
       local number = variable_by_key[key]
       if number == nil then
-        alarm("word-out-of-place", "%s: %s is no argument; there are A to F, H to K, M and Q to Z", code, key:upper())
+        alarm("word-out-of-place", "%s: %s is not an argument; use A to F, H to K, M and Q to Z", code, key:upper())
       end
       put(locals, number, value, key)
     end
@@ -65,7 +65,7 @@ end
 local function whole(value, code, letter, most)
   local number = type(value) == "number" and math.tointeger(value)
   if not number or number < 0 or number > most then
-    alarm("word-value", "%s of %s is a whole number from 0 to %d, not %s", letter, code, most, tostring(value))
+    alarm("word-value", "%s of %s must be an integer from 0 to %d, not %s", letter, code, most, tostring(value))
   end
   return number
 end
@@ -99,7 +99,7 @@ end
 local function check_jump(block, can_jump)
   if block and not can_jump then
     alarm("jump",
-      "M99 P%d of the macro asks to go on at N%d of the program that calls it, which cannot be done from here", block,
+      "M99 P%d of the macro requests a jump to N%d of the calling program, which is not possible here", block,
       block)
   end
 end
@@ -108,7 +108,7 @@ local CALL_WORDS = { p = true, l = true }
 
 local function make_call(words, code)
   check_table(words, code)
-  if words == nil or words.p == nil then alarm("word-missing", "%s needs P, the number of the macro", code) end
+  if words == nil or words.p == nil then alarm("word-missing", "%s requires P, the number of the macro", code) end
   return {
     number = whole(words.p, code, "P", 2 ^ 31 - 1),
     times = words.l == nil and 1 or whole(words.l, code, "L", MAX_REPEATS),
@@ -194,7 +194,7 @@ local function define_modal(name, code)
     run_block_macro()
     local call = make_call(words, code)
     if call.every_block and next(call.locals) then
-      alarm("word-out-of-place", "G66.1 takes no arguments; each block that follows gives its own")
+      alarm("word-out-of-place", "G66.1 accepts no arguments; each following block gives its arguments")
     end
     programs.find_program(call.number)
     call.outer = modal

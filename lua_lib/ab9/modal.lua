@@ -1,8 +1,9 @@
 -- Stores for the system variables #4001 to #4120 the last code of each modal group, and the last word of each
 -- letter.
 
+local dialect = use "core/dialect"
 local code_number = use("core/basics", "code_number")
-local ab9_macros, cycles, state, words = use "ab9/macros", use "common/cycles", use "core/state", use "core/words"
+local ab9_macros, cycles, state, words = dialect.use "macros", use "common/cycles", use "core/state", use "core/words"
 
 -- Groups of the dialect's table by the last two digits of their variable, and the numbers of the last codes;
 -- initially those that are active at the start of a run. Group 1 is the modal motion.

@@ -9,7 +9,7 @@ local function warn_of_corner_override()
   if comp_override.is_set() then
     path.warn_of_stops("G62 (automatic corner override)")
   else
-    core.warn("G62 (automatic corner override): the feed is not lowered at inside corners, since the machine file sets no "
+    core.warn("G62 (automatic corner override): the feed is not reduced at inside corners, because the machine file sets no "
       .. "corner_override_percent with corner_override_before_mm or corner_override_after_mm ([controller])")
   end
 end
@@ -57,7 +57,7 @@ local function turn(rpm) spindle.set_speed(math.min(rpm, limit_rpm)) end
 
 local function rpm_at(radius_mm)
   if radius_mm < MIN_RADIUS_MM and limit_rpm == math.huge then
-    alarm("spindle", "G96: at X0 the spindle would turn without limit; give the limit with G50 S (rev/min)")
+    alarm("spindle", "G96: at X0 the spindle speed would be unlimited; give the limit with G50 S (rev/min)")
   end
   return surface_mm_min / (2 * math.pi * math.max(radius_mm, MIN_RADIUS_MM))
 end
@@ -77,7 +77,7 @@ local function set_constant_surface_speed(on)
 end
 
 word("G96", function()
-  if axes.is_rotary.x ~= false then alarm("word-missing", "G96 needs the axis X, whose position is the radius") end
+  if axes.is_rotary.x ~= false then alarm("word-missing", "G96 requires the axis X, whose position is the radius") end
   set_constant_surface_speed(true)
 end)
 
@@ -85,7 +85,7 @@ word("G97", function() set_constant_surface_speed(false) end)
 
 local function speed(value, name)
   if not (value >= 0 and value < math.huge) then
-    alarm("word-value", "%s is a speed from 0 on, not %.10g", name, value)
+    alarm("word-value", "%s must be a speed of 0 or greater, not %.10g", name, value)
   end
   return value
 end
@@ -103,12 +103,12 @@ end)
 
 word("G50", function(words)
   if words == nil or words.s == nil then
-    alarm("mode", "G50 sets the limit of the spindle speed: G50 S2000; scaling is G14.1 with P, and bare it ends")
+    alarm("mode", "G50 sets the limit of the spindle speed: G50 S2000; G14.1 with P starts scaling, and without P ends it")
   end
   for key in pairs(words) do
-    if key ~= "s" then alarm("word-out-of-place", "G50 takes S alone, not %s", tostring(key):upper()) end
+    if key ~= "s" then alarm("word-out-of-place", "G50 accepts only S, not %s", tostring(key):upper()) end
   end
-  if type(words.s) ~= "number" then alarm("script", "S of G50 is no number") end
+  if type(words.s) ~= "number" then alarm("script", "S of G50 is not a number") end
   limit_rpm = speed(words.s, "S of G50")
   if not is_constant_surface then turn(core.spindle_rpm()) end
 end)

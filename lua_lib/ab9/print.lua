@@ -36,17 +36,17 @@ end
 
 -- DPRNT(format, values ...): a vacant variable is written as 0.
 word("DPRNT", function(text, ...)
-  if type(text) ~= "string" then alarm("script", "DPRNT takes a text and its values: DPRNT(\"X%%.3f\", v[1])") end
+  if type(text) ~= "string" then alarm("script", "DPRNT requires a string and its values: DPRNT(\"X%%.3f\", v[1])") end
   if not open then
-    alarm("input-output", "DPRNT has nowhere to write: POPEN comes before the first DPRNT, PCLOS behind the last")
+    alarm("input-output", "DPRNT has no open output: POPEN must precede the first DPRNT, and PCLOS must follow the last one")
   end
   local values, count = { ... }, select("#", ...)
   for i = 1, count do
-    if values[i] ~= nil and type(values[i]) ~= "number" then alarm("script", "DPRNT: value %d is no number", i) end
+    if values[i] ~= nil and type(values[i]) ~= "number" then alarm("script", "DPRNT: value %d is not a number", i) end
     values[i] = values[i] or 0
   end
   clear_negative_zeros(text, values)
   local done, line = pcall(string.format, text, table.unpack(values, 1, count))
-  if not done then alarm("input-output", "DPRNT: the text does not fit its values: %s", tostring(line)) end
+  if not done then alarm("input-output", "DPRNT: the text does not match its values: %s", tostring(line)) end
   path.event("print", line)
 end)

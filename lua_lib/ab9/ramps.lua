@@ -18,12 +18,12 @@ local function limits(name, code, limit, unit)
     local values = {}
     local function set(letter, value)
       if not (value > 0) then
-        alarm("word-value", "%s: %s is above 0 (%s), not %.10g", code, letter:upper(), unit, words[letter])
+        alarm("word-value", "%s: %s must be greater than 0 (%s), not %.10g", code, letter:upper(), unit, words[letter])
       end
       values[letter] = value
     end
     if not frames.each_axis(words, code, "", set) then
-      alarm("word-missing", "%s needs the axes whose ramps it sets", code)
+      alarm("word-missing", "%s requires the axes whose ramps it sets", code)
     end
     path.act(function() core.set_ramp_limits(limit, values) end)
   end)

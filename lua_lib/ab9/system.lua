@@ -1,9 +1,10 @@
 -- System variables: data of the controller that the program reads and sets by numbers from #1000 on. Lengths
 -- are in program units, axes count in the order of the machine file.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local ab9_data, ab9_frames, ab9_home, ab9_modal, ab9_transform =
-  use "ab9/data", use "ab9/frames", use "ab9/home", use "ab9/modal", use "ab9/transform"
+  dialect.use "data", dialect.use "frames", dialect.use "home", dialect.use "modal", dialect.use "transform"
 local axes, inputs, path, state = use "core/axes", use "common/inputs", use "core/path", use "core/state"
 
 local MAX_AXES = 12
@@ -39,7 +40,7 @@ end
 
 -- Inputs and outputs ----------------------------------------------------------------------------------------------------
 
-local ALL = 32       -- #1032 and #1132: the 32 signals before as one number
+local SIGNAL_COUNT = 32       -- #1032 and #1132: the 32 signals before as one number
 
 local outputs = {}   -- number from 0 -> true if it is on
 
@@ -50,12 +51,12 @@ local function input_is_on(number)
   local signal = handler == nil and inputs.input_value("DI", number)
   if handler == nil and signal ~= nil then return signal == true or (signal and signal ~= 0) end
   if handler == nil then
-    core.warn("inputs (#1000 on) are read as 0; a script answers with on_input(function(kind, number) return 1 end)")
+    core.warn("inputs (#1000 on) are read as 0; a script defines them with on_input(function(kind, number) return 1 end)")
     return false
   end
   local value = handler("digital", number)
   if value == nil or type(value) == "boolean" then return value == true end
-  if type(value) ~= "number" then alarm("script", "on_input's function returns a number, true, false or nil") end
+  if type(value) ~= "number" then alarm("script", "the function of on_input must return a number, true, false or nil") end
   return value ~= 0
 end
 
@@ -66,18 +67,18 @@ local function switch_output(number, on)
 end
 
 local function signals(first, what, is_on, switch)
-  range(first, first + ALL, what, function(_, index)
-    if index < ALL then return is_on(index) and 1.0 or 0.0 end
+  range(first, first + SIGNAL_COUNT, what, function(_, index)
+    if index < SIGNAL_COUNT then return is_on(index) and 1.0 or 0.0 end
     local bits = 0
-    for number = 0, ALL - 1 do bits = bits | (is_on(number) and 1 << number or 0) end
+    for number = 0, SIGNAL_COUNT - 1 do bits = bits | (is_on(number) and 1 << number or 0) end
     return bits + 0.0
   end, switch and function(number, value, index)
-    if index < ALL then return switch(index, value ~= 0) end
+    if index < SIGNAL_COUNT then return switch(index, value ~= 0) end
     local bits = math.tointeger(value)
-    if bits == nil or bits < 0 or bits >= 1 << ALL then
-      alarm("word-value", "#%d takes the 32 outputs as a whole number", number)
+    if bits == nil or bits < 0 or bits >= 1 << SIGNAL_COUNT then
+      alarm("word-value", "#%d requires the 32 outputs as an integer", number)
     end
-    for signal = 0, ALL - 1 do
+    for signal = 0, SIGNAL_COUNT - 1 do
       local on = bits & (1 << signal) ~= 0
       if on ~= (outputs[signal] == true) then switch(signal, on) end
     end
@@ -121,7 +122,7 @@ end)
 range(3003, 3004, "control of single blocks, feed hold and override", function(number) return blocks[number] end,
   function(number, value)
     blocks[number] = value
-    core.warn(("#%d is set; single blocks, feed hold and overrides do not exist here, so that it changes nothing")
+    core.warn(("#%d is set, but has no effect: single blocks, feed hold and overrides do not exist here")
       :format(number))
   end)
 
@@ -169,7 +170,7 @@ range(4001, 4120, "modal codes and the last F, S, T, D, H and M", function(numbe
   local value, known = ab9_modal.modal_code(number)
   if not known then
     alarm("variable",
-      "#%d holds nothing on this control; there are #4001 to #4017 and #4022 (modal groups), #4107 (D), #4109 (F), "
+      "#%d is not defined on this controller; use #4001 to #4017 and #4022 (modal groups), #4107 (D), #4109 (F), "
       .. "#4111 (H), #4113 (M), #4119 (S) and #4120 (T)", number)
   end
   return value and value + 0.0
@@ -189,7 +190,7 @@ axis_range(5061, "position of the last skip (G31)", function(letter)
   if point == nil then alarm("variable", "there is no skip position before the first G31") end
   return core.to_program(point)[letter]
 end)
-axis_range(5081, "tool offset in force", function(letter) return state.tool_offset[letter] or 0 end)
+axis_range(5081, "active tool offset", function(letter) return state.tool_offset[letter] or 0 end)
 axis_range(5101, "following error, which is 0 here", function() return 0 end)
 axis_range(FIRST_EXTERNAL, "offset of all work coordinate systems", ab9_transform.external_offset,
   ab9_transform.set_external_offset)
@@ -229,7 +230,7 @@ function system.set(number, value, text)
   if entry == nil then return nil end
   if entry.set == nil then alarm("variable", "#%d (%s) can only be read", number, entry.what) end
   if value == nil then value = 0 end
-  if type(value) ~= "number" then alarm("script", "#%d takes a number", number) end
+  if type(value) ~= "number" then alarm("script", "#%d must be a number", number) end
   core.note_place()   -- for events, because an assignment is no word with a source location
   entry.set(number, value, number - entry.first, text)
   return true

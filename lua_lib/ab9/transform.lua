@@ -3,12 +3,13 @@
 -- order: the mirror, then the scale, then the rotation. Centres are points of the program, always absolute,
 -- so the maps programmed before the centre act on it too.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local ab9_frames, hooks, plane_view, state = use "ab9/frames", use "core/hooks", use "core/plane_view", use "core/state"
+local ab9_frames, hooks, plane_view, state = dialect.use "frames", use "core/hooks", use "core/plane_view", use "core/state"
 
 local LETTERS = { "x", "y", "z" }
-local FACTOR = { x = "i", y = "j", z = "k" }
+local FACTOR_LETTERS = { x = "i", y = "j", z = "k" }
 local MIN_FACTOR = 1e-6
 
 local mirror = {}   -- letter -> coordinate of the plane of symmetry, mm
@@ -80,10 +81,10 @@ local function is_rotation_active()
   return rotation ~= nil and rotation.frame == state.frame
 end
 
-local rotating = false   -- whether a rotation acts
+local was_rotating = false   -- whether a rotation acts
 
 local function apply()
-  rotating = is_rotation_active()
+  was_rotating = is_rotation_active()
   local map = identity()
   if next(mirror) then map = mirror_map(map) end
   if scale then map = about(map, diagonal(scale.factor), scale.centre) end
@@ -94,7 +95,7 @@ local function apply()
 end
 
 local function number(value, code, letter)
-  if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", code, letter) end
+  if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is not a number", code, letter) end
   return value
 end
 
@@ -108,7 +109,7 @@ end
 local function only(words, code, allowed)
   for key in pairs(words or {}) do
     if not allowed:find(" " .. tostring(key) .. " ", 1, true) then
-      alarm("word-out-of-place", "%s takes no word %s; it takes%s", code, tostring(key):upper(),
+      alarm("word-out-of-place", "%s does not accept the word %s; it accepts%s", code, tostring(key):upper(),
         allowed:upper():sub(1, -2))
     end
   end
@@ -133,11 +134,11 @@ word("G50_1", function(words)
 end)
 
 local function scale_factor(words, letter, code)
-  local key = words[FACTOR[letter]] ~= nil and FACTOR[letter] or words.p ~= nil and "p" or nil
+  local key = words[FACTOR_LETTERS[letter]] ~= nil and FACTOR_LETTERS[letter] or words.p ~= nil and "p" or nil
   if key == nil then return 1 end
   local factor = number(words[key], code, key)
   if not (math.abs(factor) >= MIN_FACTOR and math.abs(factor) < math.huge) then
-    alarm("frame", "%s %s%.10g: a scale factor is a number other than 0", code, key:upper(), factor)
+    alarm("frame", "%s %s%.10g: a scale factor must not be 0", code, key:upper(), factor)
   end
   return factor
 end
@@ -152,7 +153,7 @@ local function scaling(name, code)
     else
       if words.p == nil and words.i == nil and words.j == nil and words.k == nil then
         alarm("word-missing",
-          "%s needs its factor: P for X, Y and Z alike, or I, J, K for each (bare, it ends scaling)", code)
+          "%s needs its factor: P for X, Y and Z, or I, J, K for each (without words it ends scaling)", code)
       end
       scale = { factor = {}, centre = origin() }
       for _, letter in ipairs(LETTERS) do scale.factor[letter] = scale_factor(words, letter, code) end
@@ -170,7 +171,7 @@ local function rotation_centre(words, p)
   local held = is_rotation_active() and rotation.plane == core.plane() and rotation.centre or {}
   local centre = { [p.first] = held[p.first] or 0, [p.second] = held[p.second] or 0 }
   if words[p.third] ~= nil then
-    alarm("frame", "G68: %s is no axis of the plane in force; the centre is given by %s and %s", p.third:upper(),
+    alarm("frame", "G68: %s is not an axis of the active plane; the centre is given by %s and %s", p.third:upper(),
       p.first:upper(), p.second:upper())
   end
   for_each_length(words, "G68", function(letter, value) centre[letter] = value end)
@@ -180,7 +181,7 @@ end
 word("G68", function(words)
   words = only(words, "G68", " x y z r ")
   if words.r == nil then
-    alarm("word-missing", "G68 needs R, its angle in degrees (this control holds no table of rotations)")
+    alarm("word-missing", "G68 needs R, its angle in degrees (this controller has no table of rotations)")
   end
   local angle = number(words.r, "G68", "r")
   if core.is_incremental() and is_rotation_active() and rotation.plane == core.plane() then angle = angle + rotation.angle_deg end
@@ -210,7 +211,7 @@ end
 
 -- A rotation begins or ends to act with a change of work coordinate system.
 hooks.on("frame", "rotation", function()
-  if rotating ~= is_rotation_active() then apply() end
+  if was_rotating ~= is_rotation_active() then apply() end
 end)
 
 return {

@@ -1,18 +1,19 @@
 -- Variables #1.. of the 9/Series as v[1].. A vacant variable is nil.
 
+local dialect = use "core/dialect"
 local alarm, copied = use("core/basics", "alarm", "copied")
-local take_remark = use("common/expressions", "take_remark")
-local system = use "ab9/system"
+local release_comment = use("common/expressions", "release_comment")
+local system = dialect.use "system"
 
 local LAST_LOCAL, FIRST_COMMON, LAST_COMMON, FIRST_PERMANENT, LAST_PERMANENT = 33, 100, 199, 500, 999
 
 -- Returns the integer that an index means; expressions may miss it by rounding.
 local function index(number)
   number = number or 0
-  if type(number) ~= "number" or number ~= number then alarm("script", "the number of a variable is no number") end
+  if type(number) ~= "number" or number ~= number then alarm("script", "the number of a variable must be a number") end
   local whole = math.floor(number + 0.5)
   if math.abs(number - whole) > 1e-6 then
-    alarm("variable", "there is no variable #%.10g: the number is not whole", number)
+    alarm("variable", "unknown variable #%.10g: the number must be an integer", number)
   end
   local exists = whole >= 0 and whole <= LAST_LOCAL
     or whole >= FIRST_COMMON and whole <= LAST_COMMON
@@ -21,7 +22,7 @@ local function index(number)
 end
 
 local function unknown(number)
-  alarm("variable", "there is no variable #%d; there are #1 to #33, #100 to #199, #500 to #999, and %s", number,
+  alarm("variable", "unknown variable #%d; variables are #1 to #33, #100 to #199, #500 to #999, and %s", number,
     system.NUMBERS)
 end
 
@@ -41,8 +42,8 @@ env.v = setmetatable(variables, {
   end,
   __newindex = function(held, number, value)
     local whole, exists = index(number)
-    if whole == 0 then alarm("variable", "#0 is always vacant; nothing can be put into it") end
-    local remark = take_remark()
+    if whole == 0 then alarm("variable", "#0 is always vacant and cannot be set") end
+    local remark = release_comment()
     if exists then
       rawset(held, whole, value)
     elseif not system.set(whole, value, remark) then

@@ -15,7 +15,7 @@ local box   -- letter -> { low, high } in mm; an axis that is not named has no w
 
 local function wall(words, key)
   if type(words[key]) ~= "number" or words[key] ~= words[key] or math.abs(words[key]) == math.huge then
-    alarm("script", "G22: the value of '%s' is no number", key)
+    alarm("script", "G22: the value of '%s' is not a number", key)
   end
   return words[key] * core.unit_mm()
 end
@@ -25,14 +25,14 @@ local function read_box(words)
   for key in pairs(words) do
     if not (" x y z i j k "):find(" " .. tostring(key) .. " ", 1, true) then
       alarm("word-out-of-place",
-        "G22 takes no word %s here; it takes X, Y, Z (one corner) and I, J, K (the other), or P alone",
+        "G22 does not accept the word %s here; it accepts X, Y, Z (one corner) and I, J, K (the other), or only P",
         tostring(key):upper())
     end
   end
   for _, letter in ipairs(LETTERS) do
     local other = OTHER[letter]
     if (words[letter] == nil) ~= (words[other] == nil) then
-      alarm("word-missing", "G22 needs both %s and %s, the two walls of the zone on axis %s", letter:upper(),
+      alarm("word-missing", "G22 needs both %s and %s, the two limits of the zone on axis %s", letter:upper(),
         other:upper(),
         letter:upper())
     end
@@ -42,7 +42,7 @@ local function read_box(words)
       end
       local a, b = wall(words, letter), wall(words, other)
       if math.abs(a - b) <= MIN_EXTENT_MM then
-        alarm("word-value", "G22: the zone has no extent on axis %s, %s and %s are both %.10g mm", letter:upper(),
+        alarm("word-value", "G22: the zone has no extent on axis %s: %s and %s are both %.10g mm", letter:upper(),
           letter:upper(),
           other:upper(), a)
       end
@@ -74,7 +74,7 @@ end)
 word("G23", function(words)
   if has_only_number(words) then return env.switch_zone(words.p, false) end
   if words ~= nil and next(words) ~= nil then
-    alarm("word-value", "G23 takes P, the number of zones of the machine data, or nothing")
+    alarm("word-value", "G23 accepts only P, the number of zones of the machine data")
   end
   put(nil)
 end)

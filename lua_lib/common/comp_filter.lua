@@ -6,7 +6,7 @@
 -- segment, f }. `source` and `target`, its programmed ends, name every axis; `segment`
 -- (common/comp_geometry.lua) is nil without motion in the plane. An action stores its own source location.
 
-local alarm, copied, space_between = use("core/basics", "alarm", "copied", "space_between")
+local alarm, copied, distance_in_space = use("core/basics", "alarm", "copied", "distance_in_space")
 local axes, g, plane_view = use "core/axes", use "common/comp_geometry", use "core/plane_view"
 
 local SAME_POINT_MM = 1e-9
@@ -49,11 +49,11 @@ end
 -- Returns a straight move as an item. Only moves in the plane get a segment.
 function comp_filter:straight(kind, target, feed, linear_kind, place)
   if linear_kind and linear_kind ~= "linear" then
-    alarm("compensation", "a %s move is not possible while cutter compensation is on; G40 first", linear_kind)
+    alarm("compensation", "a %s move is not possible while cutter compensation is on; program G40 first", linear_kind)
   end
   local item = { kind = kind, source = self.programmed, target = self:complete(target), place = place or core.place() }
   if kind == "line" then
-    item.feed = feed_at_programmed_speed(feed or core.take_feed(), space_between(self.programmed, item.target))
+    item.feed = feed_at_programmed_speed(feed or core.take_feed(), distance_in_space(self.programmed, item.target))
   end
   local from, to = self:point(self.programmed), self:point(item.target)
   if g.distance(from, to) > SAME_POINT_MM then item.segment = g.line(from, to) end
@@ -63,13 +63,13 @@ end
 
 function comp_filter:circular(plane, ccw, first, second, sweep_rad, target, feed, place)
   if not plane_view.same_plane(plane, self.machine_plane_of_path) then
-    alarm("compensation", "an arc in plane %s is not possible while cutter compensation is on in plane %s; G40 first",
+    alarm("compensation", "an arc in plane %s is not possible while cutter compensation is on in plane %s; program G40 first",
       core.plane():upper(), self.plane:upper())
   end
   local item = { kind = "arc", source = self.programmed, target = self:complete(target), place = place or core.place() }
   local from, to, centre = self:point(self.programmed), self:point(item.target), { first, second }
   if g.distance(from, centre) < MIN_RADIUS_MM or g.distance(to, centre) < MIN_RADIUS_MM then
-    alarm("compensation", "an arc that starts or ends in its centre has no side for cutter compensation")
+    alarm("compensation", "an arc that starts or ends at its centre has no side for cutter compensation")
   end
   item.segment = g.arc(from, to, centre, ccw, sweep_rad)
   local rise = self.view:height(item.target) - self.view:height(self.programmed)

@@ -23,12 +23,12 @@ local compensation = {
 
 function compensation.refuse(what)
   if compensation.word then
-    alarm("compensation", "%s is not possible while cutter compensation is on; G40 first", what)
+    alarm("compensation", "%s is not possible while cutter compensation is on; program G40 first", what)
   end
 end
 
 -- rs274ngc: moves that LinuxCNC never makes next to the path, but permits with a radius of 0.
-function compensation.refuse_next_to_path(what)
+function compensation.reject_next_to_path(what)
   if compensation.filter then compensation.refuse(what) end
 end
 

@@ -2,8 +2,9 @@
 -- plane, the tool moves in along the third. Cycles are calculated in program coordinates, so that offsets,
 -- rotation and mirror image apply to each stroke.
 
-local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
+local alarm, snap_to_integer = use("core/basics", "alarm", "snap_to_integer")
 local word = use("core/words", "word")
+local modal_cycles, peck_tolerance_mm = use("core/dialect", "modal_cycles", "peck_tolerance_mm")
 local path, state = use "core/path", use "core/state"
 
 local SAME_MM = 1e-9    -- a stroke below this length is no move
@@ -11,10 +12,7 @@ local MAX_PECKS = 100000
 local MAX_REPEATS = 9999
 
 local cycle_names = {}
-for _, name in ipairs { "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89" } do
-  cycle_names[name] = true
-end
-if core.dialect == "rs274ngc" then cycle_names.G76 = nil end  -- there it cuts a thread, and is not modal
+for _, name in ipairs(modal_cycles) do cycle_names[name] = true end
 
 -- Returns true if the modal motion of that name is a canned cycle.
 local function is_cycle(name) return cycle_names[name] == true end
@@ -27,7 +25,7 @@ word("G99", function() state.return_level = "r" end)
 local function cycle_word(words, letter, name)
   local value = words[letter]
   if value ~= nil and type(value) ~= "number" then
-    alarm("script", "%s: the value of %s is no number", name, letter:upper())
+    alarm("script", "%s: the value of %s is not a number", name, letter:upper())
   end
   return value
 end
@@ -35,16 +33,16 @@ end
 local function cycle_dwell(words, name)
   local seconds = cycle_word(words, "p", name)
   if seconds ~= nil and seconds < 0 then
-    alarm("word-value", "P of %s is a dwell of 0 s or more, not %.10g", name, seconds)
+    alarm("word-value", "P of %s must be a dwell of at least 0 s, not %.10g", name, seconds)
   end
   return seconds
 end
 
 local function cycle_repeats(value, letter, name)
   if value == nil then return 1 end
-  value = nearly_whole(value)
+  value = snap_to_integer(value)
   if value % 1 ~= 0 or value < 0 or value > MAX_REPEATS then
-    alarm("word-value", "%s of %s is a whole number of repeats up to %d, not %.10g", letter, name, MAX_REPEATS, value)
+    alarm("word-value", "%s of %s must be an integer number of repeats up to %d, not %.10g", letter, name, MAX_REPEATS, value)
   end
   return math.tointeger(value)
 end
@@ -77,16 +75,15 @@ end
 -- Returns the depths at which a hole drilled in pecks of `step` is left, above its bottom. A remainder above
 -- the bottom from rounding is no peck.
 local function pecks(from, bottom, step, name)
-  if not (step > 0) then alarm("word-value", "Q of %s is the depth of a peck, above 0, not %.10g", name, step) end
+  if not (step > 0) then alarm("word-value", "Q of %s (peck depth) must be greater than 0, not %.10g", name, step) end
   if (from - bottom) / step > MAX_PECKS then
-    alarm("word-value", "Q %.10g of %s is too small: the hole of %.10g would take more than %d pecks", step, name,
+    alarm("word-value", "Q %.10g of %s is too small: the hole of %.10g would need more than %d pecks", step, name,
       from - bottom,
       MAX_PECKS)
   end
   local depths = {}
   local depth = from - step
-  local least = core.dialect == "rs274ngc" and 0 or SAME_MM   -- LinuxCNC compares exactly
-  while depth - bottom > least do
+  while depth - bottom > peck_tolerance_mm do
     depths[#depths + 1] = depth
     depth = depth - step
   end
@@ -96,7 +93,7 @@ end
 -- Levels count in the work coordinate system; time per stroke has no meaning, nor has a path next to the
 -- hole.
 local function check_cycle_modes(name)
-  if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
+  if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which requires G0 or G1", name) end
   if core.feed_mode() == "inverse" then
     alarm("mode", "%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
   end

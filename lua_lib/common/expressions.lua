@@ -4,7 +4,7 @@ local alarm = use("core/basics", "alarm")
 
 local function number_of(value)
   if value == nil then return 0 end
-  if type(value) ~= "number" then alarm("script", "an expression has a value that is no number") end
+  if type(value) ~= "number" then alarm("script", "an expression has a value that is not a number") end
   return value
 end
 
@@ -57,14 +57,14 @@ function env.ROUND(a) return rounded(a) + 0.0 end
 function env.goto_target(value)
   core.note_place()
   local whole = rounded(value)
-  if math.abs(number_of(value) - whole) > 1e-6 then alarm("jump", "GOTO %.10g: a block number is whole", value) end
+  if math.abs(number_of(value) - whole) > 1e-6 then alarm("jump", "GOTO %.10g: a block number must be an integer", value) end
   return whole
 end
 
 -- It is at the end of the program; the reported source location is that of the GOTO.
 function env.no_target(number)
-  core.alarm_at_noted_place("jump", ("GOTO %.10g: no block of this program has that number "
-    .. "(a computed GOTO does not lead into loops from outside)"):format(number))
+  core.alarm_at_noted_place("jump", ("GOTO %.10g: this program has no block with that number "
+    .. "(a computed GOTO cannot enter a loop from outside)"):format(number))
 end
 
 -- Block delete: /n is skipped if the operator has switched block delete on.
@@ -74,10 +74,10 @@ function env.skipped() return core.block_delete end
 local remark
 function env.message(text) remark = text end
 
-local function take_remark()
+local function release_comment()
   local text = remark
   remark = nil
   return text
 end
 
-return { number_of = number_of, rounded = rounded, take_remark = take_remark }
+return { number_of = number_of, rounded = rounded, release_comment = release_comment }

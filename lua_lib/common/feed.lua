@@ -13,7 +13,7 @@ local function feed_of_part(feed, part)
 end
 
 word("G4", function(words)
-  if type(words) ~= "table" then alarm("feed", "G4 takes one of P, X and U, its seconds") end
+  if type(words) ~= "table" then alarm("feed", "G4 requires one of P, X and U, the time in seconds") end
   local seconds = words.p or words.x or words.u
   if given(seconds, "G4") then path.dwell(seconds) end
 end)

@@ -9,7 +9,7 @@ local inputs = {}
 
 -- on_input(f): the result of f is the value of an input; the dialect defines the arguments.
 function env.on_input(f)
-  if f ~= nil and type(f) ~= "function" then alarm("script", "on_input takes a function") end
+  if f ~= nil and type(f) ~= "function" then alarm("script", "on_input needs a function") end
   inputs.handler = f
 end
 

@@ -30,7 +30,7 @@ end
 
 -- Defines the word of a motion that is modal.
 function motion.modal_word(name, meaning)
-  env[name] = modal_motion(name, word_keys(name, words.if_allowed(name, meaning)))
+  env[name] = modal_motion(name, word_keys(name, words.with_compensation_check(name, meaning)))
 end
 
 -- Plain motions are C++ as long as no filter or macro changes them (core/motion_modifiers.lua): by name the word and its
@@ -113,11 +113,11 @@ line("G1", false)
 
 -- No motion is modal, so axis words need one.
 local none = motion.new("G80", core.word(words.id(), function()
-  alarm("mode", "axis words need a motion, and G80 has ended the one that was in force")
+  alarm("mode", "axis words need a motion code; G80 has ended the active one")
 end))
 function motion.end_motion() core.make_modal(none) end
 
--- In RS274/NGC the program must set a motion for axis words.
-core.make_modal(core.dialect == "rs274ngc" and none or plain.G0.id)
+local initial_motion = use("core/dialect", "initial_motion")
+core.make_modal(initial_motion == "none" and none or plain[initial_motion].id)
 
 return motion

@@ -26,7 +26,7 @@ local function known(points)
     texts[i] = name and ("%d (%s)"):format(numbers[i], name) or ("%d"):format(numbers[i])
   end
   local more = #numbers > MAX_NAMED and (" and %d more"):format(#numbers - MAX_NAMED) or ""
-  return #numbers == 0 and "there are none" or "there are " .. table.concat(texts, ", ") .. more
+  return #numbers == 0 and "none are defined" or "available: " .. table.concat(texts, ", ") .. more
 end
 
 -- Defines env[name](which), which returns a point of that table by its number, or by its name in any case.
@@ -39,13 +39,13 @@ local function define(name, points, what, section)
   env[name] = function(which)
     local is_name = type(which) == "string"
     if not is_name and type(which) ~= "number" then
-      alarm("script", "%s takes the name of a %s or its number: %s \"CLAMP1\", %s(1)", name, what, name, name)
+      alarm("script", "%s needs the name or the number of a %s: %s \"CLAMP1\", %s(1)", name, what, name, name)
     end
     local point
     if is_name then point = by_name[which:upper()] else point = points[which] end
     if point then return point_words(point) end
     local call = is_name and ("%s %q"):format(name, which) or ("%s(%.14g)"):format(name, which)
-    alarm("word-value", "%s: no %s has that %s; %s. A line of section %s of the machine data gives one: number X Y Z%s",
+    alarm("word-value", "%s: no %s has that %s; %s. A line of section %s of the machine data defines one: number X Y Z%s",
       call, what, is_name and "name" or "number", known(points), section, is_name and " NAME=" .. which or "")
   end
 end

@@ -14,14 +14,14 @@ for _, name in ipairs(core.group_names()) do groups[name] = true end
 local function refuse(key, name)
   local names = core.group_names()
   local beside = #names > 0 and "; its groups are: " .. table.concat(names, ", ") or ""
-  alarm("word-out-of-place", "%s: a pose has x, y, z, roll, pitch and yaw, and no '%s'%s", name, tostring(key), beside)
+  alarm("word-out-of-place", "%s: a pose has x, y, z, roll, pitch and yaw, not '%s'%s", name, tostring(key), beside)
 end
 
 local function checked(pose, name)
-  if type(pose) ~= "table" then alarm("script", "%s takes a pose: %s{x=, y=, z=, roll=, pitch=, yaw=}", name, name) end
+  if type(pose) ~= "table" then alarm("script", "%s needs a pose: %s{x=, y=, z=, roll=, pitch=, yaw=}", name, name) end
   for key, value in pairs(pose) do
     if not parts[key] and not groups[key] then refuse(key, name) end
-    if parts[key] and type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", name, key) end
+    if parts[key] and type(value) ~= "number" then alarm("script", "%s: the value of '%s' is not a number", name, key) end
   end
   return pose
 end
@@ -29,7 +29,7 @@ end
 -- The path between the poses and the machine must have no filter.
 local function begin(name)
   compensation.refuse(name)
-  axes.refuse_with_tcp_control(name)
+  axes.reject_with_tcp_control(name)
   path.flush()
 end
 
@@ -47,12 +47,12 @@ end)
 -- MoveCircular{via={...}, to={...}}
 word("MoveCircular", function(poses)
   if type(poses) ~= "table" or type(poses.via) ~= "table" or type(poses.to) ~= "table" then
-    alarm("script", "MoveCircular takes two poses: via={...}, to={...}")
+    alarm("script", "MoveCircular needs two poses: via={...}, to={...}")
   end
   begin("MoveCircular")
   local via, to = checked(poses.via, "MoveCircular"), checked(poses.to, "MoveCircular")
   for name in pairs(groups) do
-    if via[name] then alarm("word-out-of-place", "MoveCircular: where the group '%s' goes is told by 'to'", name) end
+    if via[name] then alarm("word-out-of-place", "MoveCircular: the target of the group '%s' must be given in 'to'", name) end
   end
   if core.tip_turns() then
     core.pose_move(to, via)

@@ -13,7 +13,7 @@ local PATH_TOLERANCE_MM = 0.01   -- max distance of a result from the path
 local handler
 
 function env.on_probe(f)
-  if f ~= nil and type(f) ~= "function" then alarm("script", "on_probe takes a function") end
+  if f ~= nil and type(f) ~= "function" then alarm("script", "on_probe needs a function") end
   handler = f
 end
 
@@ -28,7 +28,7 @@ local function path_share(from, to, point)
   local along, length = 0, 0
   for letter, value in pairs(point) do
     if from[letter] == nil or type(value) ~= "number" then
-      alarm("probe", "the probe's answer: '%s' is no axis value", tostring(letter))
+      alarm("probe", "the result of the probe: '%s' is not an axis value", tostring(letter))
     end
     local way = to[letter] - from[letter]
     along, length = along + (value - from[letter]) * way, length + way * way
@@ -37,7 +37,7 @@ local function path_share(from, to, point)
   for letter, value in pairs(point) do
     local lateral = math.abs(value - (from[letter] + part * (to[letter] - from[letter])))
     if lateral > PATH_TOLERANCE_MM then
-      alarm("probe", "the probe's answer lies %.6g beside the way on axis %s", lateral, letter:upper())
+      alarm("probe", "the result of the probe is %.6g off the path on axis %s", lateral, letter:upper())
     end
   end
   return part
@@ -51,8 +51,8 @@ local function scripted_share(from, to)
   local found = f(between(from, to, 0), between(from, to, 1))
   if found == nil or found == false then return false end
   local part = type(found) == "table" and path_share(from, to, found) or found
-  if type(part) ~= "number" or part ~= part then alarm("probe", "the probe answers with a point, a part of the way, or nil") end
-  if part < -1e-9 or part > 1 + 1e-9 then alarm("probe", "the probe's answer lies outside the way (%.6g of it)", part) end
+  if type(part) ~= "number" or part ~= part then alarm("probe", "the result of the probe must be a point, a fraction of the path, or nil") end
+  if part < -1e-9 or part > 1 + 1e-9 then alarm("probe", "the result of the probe is outside the path (%.6g of it)", part) end
   return math.max(0, math.min(1, part))
 end
 

@@ -35,7 +35,7 @@ local switching   -- the entry of the word that acts
 local function event_kind(entry) return core.process.kind .. (entry.on and "_on" or "_off") end
 
 -- Calls act(...) as a word that may switch the process.
-function process.switched_by(code, given, act, ...)
+function process.call_switch_word(code, given, act, ...)
   local entry = by_code[code] and process.entry(code, given)
   if entry == nil then return act(...) end
   path.act(function() core.set_process(entry.on, WITH_MOTION[code] or false) end)
@@ -73,7 +73,7 @@ local SPINDLE_CODES = { M3 = true, M4 = true, M5 = true }
 for code in pairs(by_code) do
   if not SPINDLE_CODES[code] then
     words.around(code, "process", function(meaning, name, given, ...)
-      return process.switched_by(name, given, meaning, given, ...)
+      return process.call_switch_word(name, given, meaning, given, ...)
     end)
   end
 end

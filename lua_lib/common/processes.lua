@@ -11,7 +11,7 @@ local function start(background)
   return function(name, f)
     processes.join()
     if type(f) ~= "function" then
-      alarm("script", "a process is a name and a function: process(\"left\", function() ... end)")
+      alarm("script", "a process needs a name and a function: process(\"left\", function() ... end)")
     end
     processes.start(name, function()
       f()
@@ -31,7 +31,7 @@ local function main_process(next_script)
       script()
       script = next_script()
     end
-    programs.run_first()
+    programs.run_main_program()
   end
 end
 

@@ -17,7 +17,7 @@ end
 
 -- Turns the spindle "cw" or "ccw", or stops it (nil).
 function spindle.turn(direction)
-  process.switched_by(WORDS[direction] or STOP, nil, turn, direction)
+  process.call_switch_word(WORDS[direction] or STOP, nil, turn, direction)
 end
 
 -- Sets its speed in rev/min: for the feeds of the words that follow at once, for the machine after the moves
@@ -35,17 +35,17 @@ end
 
 -- Stops it at its marked angle, so that the tool can be moved off the wall.
 function spindle.orient()
-  process.switched_by(STOP, nil, orient)
+  process.call_switch_word(STOP, nil, orient)
 end
 
 -- Returns the feed that cuts `pitch_mm` per turn at the active speed.
 function spindle.thread_feed(pitch_mm, name)
   local rpm = core.spindle_rpm()
   if not (pitch_mm > 0) then
-    alarm("word-value", "the pitch of %s is a length above 0, not %.10g mm", name, pitch_mm)
+    alarm("word-value", "the pitch of %s must be greater than 0, not %.10g mm", name, pitch_mm)
   end
   if state.spindle == nil or rpm == 0 then
-    alarm("spindle", "%s moves in step with the spindle, which does not turn (S and M3 or M4)", name)
+    alarm("spindle", "%s moves in step with the spindle, which is stopped (program S and M3 or M4)", name)
   end
   local feed = core.feed_mm_min(pitch_mm * rpm)
   feed.linear_mm_rev = pitch_mm

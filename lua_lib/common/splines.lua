@@ -1,7 +1,7 @@
 -- Curves in the XY plane by control points, in the manner of LinuxCNC: four times as many sections as control
 -- points, each a pair of arcs that have its ends and its tangents.
 
-local space_between = use("core/basics", "space_between")
+local distance_in_space = use("core/basics", "distance_in_space")
 
 local SECTIONS_PER_POINT = 4
 local TANGENT_STEP = 1e-5    -- of the parameter: tangents are chords of twice as much
@@ -95,7 +95,7 @@ end
 local function add_pair(pieces, a, b, out, into)
   local far = tangent_length(a, b, out, into)
   if far == nil then
-    pieces[#pieces + 1] = { x = b.x, y = b.y, z = b.z, length = space_between(a, b) }
+    pieces[#pieces + 1] = { x = b.x, y = b.y, z = b.z, length = distance_in_space(a, b) }
     return
   end
   local before = { x = a.x + far * out[1], y = a.y + far * out[2] }
@@ -156,7 +156,7 @@ function splines.chords(points, tolerance)
       to, place = further, candidate
     end
     if to == 1 then place = points[#points] end
-    chords[#chords + 1] = { x = place.x, y = place.y, z = place.z, length = space_between(from, place) }
+    chords[#chords + 1] = { x = place.x, y = place.y, z = place.z, length = distance_in_space(from, place) }
     step, at, from = to - at, to, place
   end
   return chords

@@ -1,7 +1,7 @@
 -- Durations of words: [times] of the machine file, in s. core.times is nil without such a table, else {
 -- tool_change = 8.0, ..., codes = { M100 = 0.5 } }.
 
-local path, process, words = use "core/path", use "common/process", use "core/words"
+local dialect, path, process, words = use "core/dialect", use "core/path", use "common/process", use "core/words"
 
 local times = core.times
 if times == nil then return end
@@ -11,19 +11,15 @@ local named = {
   M3 = "spindle_start", M4 = "spindle_start", M5 = "spindle_stop",
   M6 = "tool_change", M7 = "coolant_on", G10 = "tool_table",
 }
-local tool_tables = { [10] = true, [11] = true }  -- L of G10
-if core.dialect == "rs274ngc" then
-  named.M8, named.M9 = "coolant_on", "coolant_off"
-  tool_tables[1] = true
-else
-  if core.process == nil then named.M8, named.M9 = "process_on", "process_off" end
-  tool_tables[12], tool_tables[13] = true, true
+for code, time in pairs(dialect.switch_times) do
+  local is_of_process = time == "process_on" or time == "process_off"
+  if core.process == nil or not is_of_process then named[code] = time end
 end
 
 -- Returns the duration, and the key of [times] that defines it.
 local function time_for_code(code, given)
   if times.codes[code] then return times.codes[code], code end
-  if code == "G10" and not tool_tables[given.l] then return 0 end
+  if code == "G10" and not dialect.tool_table_kinds[given.l] then return 0 end
   local entry = process.entry(code, given)
   local process_key = entry and (entry.on and "process_on" or "process_off")
   local name = process_key and times[process_key] > 0 and process_key or named[code]

@@ -14,7 +14,7 @@ local function nothing() end
 local function undefined(number)
   return function()
     alarm("code-unknown",
-      "M%s means nothing on this machine; define it before the program runs: M[%s] = function(words) ... end",
+      "M%s is not defined on this machine; define it before the program runs: M[%s] = function(words) ... end",
       tostring(number), tostring(number))
   end
 end
@@ -22,13 +22,13 @@ end
 local function check(number, meaning)
   local whole = math.tointeger(number)
   if whole == nil or whole < 0 or whole > LAST then
-    alarm("script", "M[%s]: the number of an M code is a whole number from 0 to %d", tostring(number), LAST)
+    alarm("script", "M[%s]: the number of an M code must be an integer from 0 to %d", tostring(number), LAST)
   end
   if words.is_known("M" .. whole) then
-    alarm("script", "M[%d]: M%d is a code of the control itself", whole, whole)
+    alarm("script", "M[%d]: M%d is a code of the controller itself", whole, whole)
   end
   if meaning ~= nil and type(meaning) ~= "function" then
-    alarm("script", "M[%d] takes a function: M[%d] = function(words) ... end", whole, whole)
+    alarm("script", "M[%d] needs a function: M[%d] = function(words) ... end", whole, whole)
   end
   return whole
 end

@@ -50,9 +50,9 @@ function axes.direction(letter)
 end
 
 -- Raises an alarm for words that mean positions of the axes themselves.
-function axes.refuse_with_tcp_control(what)
+function axes.reject_with_tcp_control(what)
   if core.tip_control() then
-    alarm("mode", "%s cannot be used with G43.4, in which X, Y and Z are the tip's; G49 ends it", what)
+    alarm("mode", "%s cannot be used with G43.4, in which X, Y and Z are the TCP; G49 ends it", what)
   end
 end
 

@@ -12,7 +12,7 @@ for place, name in ipairs(ORDER) do rank[name] = place end
 local hooks = {}
 
 function hooks.new(name, call, kind)
-  if rank[name] == nil then error(("lua_lib/core/hooks.lua has no hook '%s' in its order"):format(name), 0) end
+  if rank[name] == nil then error(("hook '%s' is not in the order of lua_lib/core/hooks.lua"):format(name), 0) end
   return { rank = rank[name], call = call, kind = kind }
 end
 

@@ -4,7 +4,7 @@
 
 local axes, plane_view, shape = use "core/axes", use "core/plane_view", use "core/motion_modifiers"
 
-local SHAPE_BY_FILTER = "a filter of the path"
+local PATH_FILTER_MODIFIER = "a path filter"
 local SAME_MM = 1e-9
 
 -- The end of the chain: the machine.
@@ -32,17 +32,17 @@ local function link()
     following = filters[i]
   end
   head = following
-  shape(SHAPE_BY_FILTER, head ~= machine)
+  shape(PATH_FILTER_MODIFIER, head ~= machine)
   if head == machine then core.set_programmed(nil) end
 end
 
 -- A filter has rapid, line, arc, act and flush like the machine above. Moves reach the filter with the lowest
 -- `rank` first (50 if it has no rank).
-local MIDDLE_RANK = 50
+local DEFAULT_RANK = 50
 
 function path.add_filter(filter)
   local place = #filters + 1
-  while place > 1 and (filters[place - 1].rank or MIDDLE_RANK) > (filter.rank or MIDDLE_RANK) do place = place - 1 end
+  while place > 1 and (filters[place - 1].rank or DEFAULT_RANK) > (filter.rank or DEFAULT_RANK) do place = place - 1 end
   table.insert(filters, place, filter)
   link()
 end
@@ -182,7 +182,7 @@ function path.event(kind, detail, when, changed)
 end
 
 -- Calls meaning(...), for which the controller waits by a special rule.
-function path.by_rule(rule, meaning, ...)
+function path.call_with_stop_rule(rule, meaning, ...)
   local outer = stop_rule
   stop_rule = rule
   if rule == "always" then path.wait() end
@@ -220,7 +220,7 @@ end
 path.set_mode("continuous")
 
 -- Calls f() to move in another mode than that of the program.
-function path.in_mode(name, f)
+function path.call_in_mode(name, f)
   head:act(function() core.set_path_mode(name, 0, 0) end)
   f()
   set_mode()
@@ -229,7 +229,7 @@ end
 -- Warns that a mode without stops has no effect if the machine's controller brings each move to a standstill.
 function path.warn_of_stops(name)
   if core.stops_at_each_move then
-    core.warn(name .. ": the controller of this machine brings each move to rest; one that does not is faster "
+    core.warn(name .. ": the controller of this machine stops at each move; one that does not is faster "
       .. "([controller] of the machine file)")
   end
 end
@@ -251,7 +251,7 @@ end
 -- Sets f() to be called after each programmed move (modal macro calls); nil: not any more.
 function path.after_each_move(f)
   after_move = f
-  shape("a call behind each move", f ~= nil)
+  shape("a call after each move", f ~= nil)
 end
 
 return path

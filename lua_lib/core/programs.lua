@@ -1,11 +1,11 @@
 -- Programs, subprograms, and the end of a run.
 
-local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
+local alarm, snap_to_integer = use("core/basics", "alarm", "snap_to_integer")
 local word = use("core/words", "word")
-local calls, path = use "core/calls", use "core/path"
+local calls, dialect, path = use "core/calls", use "core/dialect", use "core/path"
 
 local MAX_NUMBER = 2^31 - 1     -- of a program number, and of repeats
-local TO_START = "M99"   -- return value of a program that ends in M99
+local RESTART_PROGRAM = "M99"   -- return value of a program that ends in M99
 
 local programs = {}
 local first
@@ -20,13 +20,13 @@ function env.program(name, body)
     repeat
       for _, part in ipairs(parts) do
         local ended = part()
-        if ended ~= nil then return (parts == own or ended ~= TO_START) and ended or nil end
+        if ended ~= nil then return (parts == own or ended ~= RESTART_PROGRAM) and ended or nil end
       end
       parts = parts.following
     until parts == nil
   end
-  -- RS274/NGC: an O-word that a program reaches is only a mark; M99 after it ends the run.
-  if last and core.dialect == "rs274ngc" then last.following = own end
+  -- The O-word that a program reaches is only a mark then; M99 after it ends the run.
+  if last and dialect.programs_continue then last.following = own end
   last = own
   -- If several have one number, the first one after the main program is called (RS274/NGC has such files).
   if name ~= nil and (programs[name] == nil or programs[name] == first) then programs[name] = run end
@@ -35,7 +35,7 @@ end
 
 -- more(function): continues that program, after the definition of a subroutine.
 function env.more(body)
-  if last == nil then alarm("script", "more() goes on with a program, and none has begun") end
+  if last == nil then alarm("script", "more() continues a program, but none has started") end
   last[#last + 1] = body
 end
 
@@ -43,7 +43,7 @@ end
 -- indefinitely on the machine. Here it makes the requested number of passes.
 local passes = 0
 
-local function pass_ended(block)
+local function end_pass(block)
   passes = passes + 1
   core.note_pass(passes, block)
   return passes >= core.passes
@@ -52,15 +52,15 @@ end
 -- Returns true if the jump back to that block, by which the main program ends, ends its last pass.
 function env.last_pass(block)
   core.note_place()
-  return pass_ended(block)
+  return end_pass(block)
 end
 
-local function run_first()
+local function run_main_program()
   if first ~= nil then
     repeat
       local ended = first()
       path.flush()
-    until ended ~= TO_START or pass_ended()
+    until ended ~= RESTART_PROGRAM or end_pass()
   end
   path.flush()
 end
@@ -88,13 +88,13 @@ end
 -- Returns the body of the program with this number, in this file or in one next to it.
 local function find_program(number)
   return programs[number] or load_adjacent(number)
-    or alarm("program-missing", "there is no program O%d, neither in this file nor beside it", number)
+    or alarm("program-missing", "program O%d not found, neither in this file nor next to it", number)
 end
 
 local function whole(value, name)
-  value = nearly_whole(value)
+  value = snap_to_integer(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MAX_NUMBER then
-    alarm("word-value", "%s of M98 is a whole number from 0 to %d, not %s", name, MAX_NUMBER, tostring(value))
+    alarm("word-value", "%s of M98 must be an integer from 0 to %d, not %s", name, MAX_NUMBER, tostring(value))
   end
   return math.tointeger(value)
 end
@@ -103,11 +103,11 @@ end
 -- ends only that program.
 function env.run(name)
   if type(name) ~= "string" then
-    alarm("script", "run takes the name of a part program beside the script: run(\"part.nc\")")
+    alarm("script", "run needs the name of a part program next to the script: run(\"part.nc\")")
   end
   local found, body = load_file(name)
-  if not found then alarm("program-missing", "there is no file '%s' beside the script", name) end
-  if body == nil then alarm("program-missing", "the file '%s' has no program", name) end
+  if not found then alarm("program-missing", "file '%s' not found next to the script", name) end
+  if body == nil then alarm("program-missing", "the file '%s' contains no program", name) end
   local frame = calls.enter(name)
   core.run_to_end(body)
   path.flush()
@@ -144,18 +144,18 @@ end
 
 -- M98{p=2, l=3}; the translator adds `true` if the caller can continue at any of its blocks.
 word("M98", function(words, can_jump)
-  if type(words) ~= "table" or words.p == nil then alarm("word-missing", "M98 needs P, the program that it calls") end
+  if type(words) ~= "table" or words.p == nil then alarm("word-missing", "M98 needs P, the program to call") end
   local block = call_program(whole(words.p, "P"), words.l == nil and 1 or whole(words.l, "L"))
   if block and not can_jump then
     alarm("jump",
-      "M99 P%d of the called program asks to go on at N%d of this one, which can only be done where both are in one "
+      "M99 P%d of the called program continues at N%d of this one, which is only possible if both are in one "
       .. "file", block, block)
   end
   return block
 end)
 
 word("M99", function(words)
-  if words == nil or words.p == nil then return TO_START end
+  if words == nil or words.p == nil then return RESTART_PROGRAM end
   return { block = whole(words.p, "P") }
 end)
 
@@ -168,7 +168,7 @@ word("M30", program_end)
 
 word("M0", function() path.event("stop") end)
 word("M1", function()
-  path.event("optional_stop", core.optional_stop and "" or "off: passed over")
+  path.event("optional_stop", core.optional_stop and "" or "off: skipped")
 end)
 
-return { run_first = run_first, load_file = load_file, find_program = find_program, call_program = call_program }
+return { run_main_program = run_main_program, load_file = load_file, find_program = find_program, call_program = call_program }

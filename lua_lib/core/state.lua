@@ -8,7 +8,7 @@ return {
   spindle_word = 0,     -- RS274/NGC: as S was programmed
   path_mode = 64,       -- 9/Series: G61 to G64
   -- position of the tool after a cycle: G98 or G99
-  return_level = core.dialect == "rs274ngc" and "r" or "initial",
+  return_level = use("core/dialect", "initial_return_level"),
   tool_offset = {},     -- by axis letter, mm
   depth = 0,            -- of subprograms
 }

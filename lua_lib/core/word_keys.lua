@@ -32,7 +32,7 @@ local function refuse(name, words, known)
   for key, value in pairs(words) do
     if type(key) == "string" and not known[key] then
       local advice = core.word_advice(key, value, known)
-      alarm("word-out-of-place", "'%s' is no word that %s takes%s", key, printed(name), advice)
+      alarm("word-out-of-place", "'%s' is not a word of %s%s", key, printed(name), advice)
     end
   end
 end

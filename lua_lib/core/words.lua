@@ -19,7 +19,7 @@ local hooked = {}            -- hooks by the name of the word
 
 local function register(_, name, value)
   if owner[name] then
-    error(("'%s' is said twice, in lua_lib/%s.lua and in lua_lib/%s.lua"):format(name, owner[name], core.loading()), 0)
+    error(("'%s' is defined twice, in lua_lib/%s.lua and in lua_lib/%s.lua"):format(name, owner[name], core.loading()), 0)
   end
   seen[name], owner[name] = value, core.loading()
 end
@@ -36,14 +36,14 @@ end
 -- Returns the meaning of a word at which the controller waits by a special rule (core.stops, docs/stops.md).
 local function with_stop_rule(name, meaning)
   local rule = core.stops[printed(name)]
-  return rule and function(...) return path.by_rule(rule, meaning, ...) end or meaning
+  return rule and function(...) return path.call_with_stop_rule(rule, meaning, ...) end or meaning
 end
 
-local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.refuse_next_to_path }
+local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.reject_next_to_path }
 
 -- Returns the meaning of a code, called after a check that cutter compensation allows it (column
 -- `compensation`).
-function words.if_allowed(name, meaning)
+function words.with_compensation_check(name, meaning)
   local refuse, display_name = refusals[core.codes.compensation[name]], printed(name)
   if refuse == nil then return meaning end
   return function(...)
@@ -54,7 +54,7 @@ end
 
 -- Defines a word of the language. A call belongs to the block at the line from which the script calls it.
 function words.word(name, meaning)
-  local looked_at = with_stop_rule(name, words.if_allowed(name, meaning))
+  local looked_at = with_stop_rule(name, words.with_compensation_check(name, meaning))
   env[name] = core.word(words.id(), word_keys(name, looked_at))
 end
 
@@ -108,7 +108,7 @@ end
 -- An undefined name is an error, not an empty value.
 local function unknown(_, name)
   local near = type(name) == "string" and find_ignoring_case(name)
-  error(("there is no '%s' here%s"):format(tostring(name), near and ("; did you mean " .. near .. "?") or ""), 2)
+  error(("'%s' is not defined here%s"):format(tostring(name), near and ("; did you mean " .. near .. "?") or ""), 2)
 end
 
 -- Rejects the codes that the dialect does not support in handwritten scripts, too.

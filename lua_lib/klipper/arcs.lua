@@ -1,9 +1,10 @@
 -- G2 and G3 of Klipper: as many chords of equal length as possible with at least arc_resolution_mm each.
 -- Every chord is a G1.
 
+local dialect = use "core/dialect"
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local word = use("core/words", "word")
-local moves, state = use "klipper/moves", use "klipper/state"
+local moves, state = dialect.use "moves", dialect.use "state"
 
 -- Planes by their axes. Counterclockwise is from the first to the second axis, so XZ has the opposite sense
 -- of the ZX plane of RS274.
@@ -21,8 +22,8 @@ end
 local function refuse(words, name)
   check_table(words, name)
   if words == nil then alarm("arc", "%s: an arc needs its centre", name) end
-  if state.incremental then alarm("mode", "%s: Klipper makes no arcs under G91", name) end
-  if words.r then alarm("arc", "%s: Klipper makes no arcs by R", name) end
+  if state.incremental then alarm("mode", "%s: Klipper does not support arcs in G91", name) end
+  if words.r then alarm("arc", "%s: Klipper does not support arcs by R", name) end
 end
 
 -- Returns the program's position and the arc's target, by letter.
@@ -60,7 +61,7 @@ local function run_chords(words, clockwise)
   local a, b, along = plane[1], plane[2], plane[3]
   local first, second = words[plane.centre[1]] or 0, words[plane.centre[2]] or 0
   if first == 0 and second == 0 then
-    alarm("arc", "an arc in this plane takes its centre from %s and %s", plane.centre[1]:upper(), plane.centre[2]:upper())
+    alarm("arc", "an arc in this plane needs its centre in %s and %s", plane.centre[1]:upper(), plane.centre[2]:upper())
   end
   local from, to = arc_ends(words)
   local sweep = arc_sweep(from, to, first, second, clockwise)
@@ -86,7 +87,7 @@ end
 for name, clockwise in pairs { G2 = true, G3 = false } do
   word(name, function(words)
     if core.arc_resolution_mm <= 0 then
-      core.warn(name .. ": this machine knows no arcs (arc_resolution_mm is 0), which have no effect")
+      core.warn(name .. ": this machine does not support arcs (arc_resolution_mm is 0); they have no effect")
       return
     end
     refuse(words, name)

@@ -1,8 +1,9 @@
 -- Modes of Klipper, its offsets and speed factor, and the commands at which it waits.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local moves, path, state = use "klipper/moves", use "core/path", use "klipper/state"
+local moves, path, state = dialect.use "moves", use "core/path", dialect.use "state"
 
 local LETTERS = { "x", "y", "z", "e" }
 local STALL_S = 0.1   -- before and after a command that switches the motors off
@@ -12,11 +13,11 @@ word("G91", function() state.incremental = true end)
 word("M82", function() state.incremental_e = false end)
 word("M83", function() state.incremental_e = true end)
 word("G21", function() end)
-word("G20", function() alarm("mode", "G20: Klipper knows no inches") end)
+word("G20", function() alarm("mode", "G20: Klipper does not support inches") end)
 
 word("G4", function(words)
   local ms = words and words.p or 0
-  if ms < 0 then alarm("word-value", "G4 P%.10g: a dwell takes 0 ms or more", ms) end
+  if ms < 0 then alarm("word-value", "G4 P%.10g: a dwell must be 0 ms or more", ms) end
   path.dwell(ms / 1000)
 end)
 
@@ -43,7 +44,7 @@ end)
 
 local function percent(words, name)
   local value = words and words.s or 100
-  if value <= 0 then alarm("word-value", "%s S%.10g: a factor is above 0", name, value) end
+  if value <= 0 then alarm("word-value", "%s S%.10g: a factor must be greater than 0", name, value) end
   return value / 100
 end
 
@@ -71,7 +72,7 @@ end
 -- Shifts E's zero point by the distance moved since the save.
 local function restore(name)
   local kept = state.saved[name]
-  if kept == nil then alarm("mode", "RESTORE_GCODE_STATE: there is no state '%s'", name) end
+  if kept == nil then alarm("mode", "RESTORE_GCODE_STATE: unknown state '%s'", name) end
   for _, field in ipairs(SAVED_FIELDS) do state[field] = kept[field] end
   state.base, state.offset = {}, {}
   for _, letter in ipairs(LETTERS) do

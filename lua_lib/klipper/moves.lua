@@ -1,8 +1,9 @@
 -- G0 and G1 of Klipper, which are identical.
 
+local dialect = use "core/dialect"
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local word = use("core/words", "word")
-local path, state = use "core/path", use "klipper/state"
+local path, state = use "core/path", dialect.use "state"
 
 local LETTERS = { "x", "y", "z" }
 
@@ -28,7 +29,7 @@ end
 local function check_motors(target)
   for _, letter in ipairs(LETTERS) do
     if target[letter] and target[letter] ~= state.position(letter) then
-      alarm("home", "%s moves, and its motor was switched off: Klipper asks for homing", letter:upper())
+      alarm("home", "%s moves, but its motor is switched off: Klipper requires homing", letter:upper())
     end
   end
 end
@@ -44,7 +45,7 @@ function moves.line(words, name)
   check_table(words, name)
   if words == nil then return end
   if words.f then
-    if words.f <= 0 then alarm("feed", "F%.10g: a speed is above 0", words.f) end
+    if words.f <= 0 then alarm("feed", "F%.10g: a speed must be greater than 0", words.f) end
     state.feed = words.f
   end
   moves.to(move_target(words))

@@ -1,7 +1,8 @@
 -- Firmware retraction: G10 retracts the filament, G11 extrudes it again.
 
+local dialect = use "core/dialect"
 local word = use("core/words", "word")
-local modes, moves, state = use "klipper/modes", use "klipper/moves", use "klipper/state"
+local modes, moves, state = dialect.use "modes", dialect.use "moves", dialect.use "state"
 
 local RETRACT_STATE = "_retract_state"
 

@@ -2,7 +2,7 @@
 
 local alarm = use("core/basics", "alarm")
 
-local FIRST_MM_MIN = 25 * 60   -- klippy's speed before any F
+local INITIAL_FEED_MM_MIN = 25 * 60   -- klippy's speed before any F
 
 local has = {}
 for _, axis in ipairs(core.axes()) do has[axis.letter] = true end
@@ -12,7 +12,7 @@ local state = {
   incremental_e = false,   -- M83
   base = {},               -- by letter: the program's zero point, in machine coordinates (G92)
   offset = {},             -- SET_GCODE_OFFSET, of which base has its part
-  feed = FIRST_MM_MIN,     -- as F was given
+  feed = INITIAL_FEED_MM_MIN,     -- as F was given
   speed_factor = 1,        -- M220
   e_factor = 1,            -- M221
   saved = {},              -- by name
@@ -28,7 +28,7 @@ end
 -- Removes E from a target if the machine has no extruder. E may be in the target, but cannot move.
 function state.check_extruder(target)
   if target.e == nil or has.e then return end
-  if target.e ~= 0 then alarm("axis", "E moves, and this machine has no extruder: no axis E") end
+  if target.e ~= 0 then alarm("axis", "E moves, but this machine has no extruder: no axis E") end
   target.e = nil
 end
 

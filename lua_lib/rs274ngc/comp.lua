@@ -10,7 +10,7 @@ local SMALL_CORNER_RAD = 0.05     -- up to here it is not treated as a corner
 local MAX_SPIRAL_MM = 0.04       -- between the radii of an arc's ends
 local RADII_TOLERANCE = 0.01      -- of an arc that was cut back, in program units
 -- An arc that becomes longer than programmed by more than that has been shortened past its other end.
-local CUT_BACK_RAD = { metric = 0.0254, inch = 0.001 }
+local MAX_ARC_EXCESS_RAD = { metric = 0.0254, inch = 0.001 }
 
 local TURN = 2 * math.pi
 
@@ -56,7 +56,7 @@ function ngc:cut_back(item, point)
     if is_off_circle(item, point) then self:raise_alarm(item, UNREACHABLE_CORNER) end
     if self.start then
       local sweep = g.swept_after(self.start, point, item.centre, segment.turn, segment.sweep)
-      local tolerance = core.unit_mm() == 1 and CUT_BACK_RAD.metric or CUT_BACK_RAD.inch
+      local tolerance = core.unit_mm() == 1 and MAX_ARC_EXCESS_RAD.metric or MAX_ARC_EXCESS_RAD.inch
       if sweep > segment.sweep + tolerance then self:raise_alarm(item, UNREACHABLE_CORNER) end
     end
   elseif self.start and item.watched and g.dot(segment.heading[1], g.minus(point, self.start)) < 0 then
@@ -104,7 +104,7 @@ end
 function ngc:enter_straight(item)
   local way = g.distance(self.tool, item.segment and item.segment.to or self.tool)
   if way <= self.radius then
-    self:raise_alarm(item, "%s is the entry move, and its length of %.10g mm in the plane is not greater than the radius", way)
+    self:raise_alarm(item, "%s is the entry move; its length of %.10g mm in the plane must be greater than the radius", way)
   end
   item.point = g.offset_end(item.segment, self.side, self.radius)
   self.start = self.tool
@@ -116,11 +116,11 @@ function ngc:enter_circular(item)
   local segment = item.segment
   if g.distance(self.at, self.tool) > MAX_SPIRAL_MM then
     alarm("compensation",
-      "the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
+      "the first move after G40 leaves cutter compensation and must be straight (G0 or G1), not an arc")
   end
   local way = g.distance(self.tool, segment.to)
   if way <= self.radius then
-    self:raise_alarm(item, "%s is the entry arc, and its end is only %.10g mm from its start, not more than the radius", way)
+    self:raise_alarm(item, "%s is the entry arc; its end is only %.10g mm from its start, not more than the radius", way)
   end
   self:check_fits(item, self.side, self.radius)
   item.point = g.offset_end(segment, self.side, self.radius)
@@ -128,7 +128,7 @@ function ngc:enter_circular(item)
   local chord = g.minus(self.tool, item.point)
   local along = g.dot(axis, chord)
   if math.abs(along) < 0.0001 * g.length(chord) then
-    self:raise_alarm(item, "%s is the entry arc, and the tool does not fit into it")
+    self:raise_alarm(item, "%s is the entry arc; the tool does not fit into it")
   end
   item.centre = g.plus(item.point, axis, g.dot(chord, chord) / (2 * along))
   item.segment = g.arc(self.tool, segment.to, item.centre, segment.turn > 0, segment.sweep)
@@ -170,7 +170,7 @@ end
 function ngc:inside_corner(item)
   local point = g.intersect(self:segment_before(), item.segment, self.side, self.radius)
   if not point then
-    self:raise_alarm(item, "before %s lies an inside corner that the tool does not fit into without gouging")
+    self:raise_alarm(item, "before %s is an inside corner that the tool does not fit into without gouging")
   end
   self:end_at(point)
 end

@@ -27,15 +27,15 @@ end
 function env.code(letter, number)
   local list = codes[letter]
   if list == nil or type(number) ~= "number" then
-    alarm("code-unknown", "code() takes G or M, and the number of the code")
+    alarm("code-unknown", "code() needs G or M, and the number of the code")
   end
   local name = suffix(number)
   local user = letter == "M" and tonumber(name)
   if user and user >= FIRST_USER_CODE and user <= LAST_USER_CODE then return env.M[math.tointeger(user)] {} end
   if name == nil or not list:find(" " .. name .. " ", 1, true) then
     alarm("code-unknown",
-      "%s%.10g: a computed number can only be that of a code without words of its own that acts before the motion of "
-      .. "its block; write the number out", letter, number)
+      "%s%.10g: a computed number is only possible for a code without words that acts before the motion of "
+      .. "its block; write the number directly", letter, number)
   end
   env[letter .. name]()
 end

@@ -2,10 +2,11 @@
 -- kept as they were written, in program units. After a change of units or offsets they are interpreted with
 -- the new ones, as in LinuxCNC.
 
+local dialect = use "core/dialect"
 local alarm, check_table = use("core/basics", "alarm", "check_table")
-local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
+local with_compensation_check, word, word_id = use("core/words", "with_compensation_check", "word", "id")
 local axes, cycles, motion, ngc_modes, overrides =
-  use "core/axes", use "common/cycles", use "common/motion", use "rs274ngc/modes", use "common/overrides"
+  use "core/axes", use "common/cycles", use "common/motion", dialect.use "modes", use "common/overrides"
 local path, plane_view, spindle, state = use "core/path", use "core/plane_view", use "common/spindle", use "core/state"
 
 local held = {}   -- words of the cycle that is modal, and `initial`, the level at which the series of cycles began
@@ -21,14 +22,14 @@ local function required(words, letter, name, again)
   local value = cycles.word(words, letter, name)
   if value == nil and again then value = held[letter] end
   if value == nil then
-    alarm("word-missing", "%s needs %s; it is kept only while the same cycle repeats", name, letter:upper())
+    alarm("word-missing", "%s needs %s; it is modal only while the same cycle repeats", name, letter:upper())
   end
   held[letter] = value
   return value
 end
 
 local function require_spindle(name)
-  if state.spindle == nil then alarm("spindle", "%s needs the spindle turning (M3 or M4)", name) end
+  if state.spindle == nil then alarm("spindle", "%s needs a rotating spindle (M3 or M4)", name) end
   return state.spindle
 end
 
@@ -74,12 +75,12 @@ end
 
 local function tap(hole, name, forth, back)
   if require_spindle(name) ~= forth then
-    alarm("spindle", "%s needs the spindle turning %s", name,
+    alarm("spindle", "%s needs the spindle to rotate %s", name,
       forth == "cw" and "clockwise (M3)" or "counterclockwise (M4)")
   end
   local feed = hole.feed
   if core.plane() ~= "xy" then
-    core.warn(name .. " outside of the XY plane: as in LinuxCNC 2.9 its strokes go to exchanged axes; use G33.1")
+    core.warn(name .. " outside the XY plane: as in LinuxCNC 2.9 its strokes move swapped axes; use G33.1")
     feed = function(level) hole.feed_to(exchange_axes(hole, level)) end
   end
   overrides.without(function()
@@ -173,13 +174,13 @@ local function check_axes(words, name, p)
     if words[letter] ~= nil then
       named = true
       if letter ~= p.first and letter ~= p.second and letter ~= p.third then
-        alarm("word-out-of-place", "%s moves X, Y and Z only; %s cannot stand in its block", name, letter:upper())
+        alarm("word-out-of-place", "%s moves only X, Y and Z; %s cannot be in its block", name, letter:upper())
       end
     end
   end
   if not named then alarm("word-missing", "%s needs axis words", name) end
   if (words.radius ~= nil or words.angle ~= nil) and (core.plane() ~= "xy" or words.x ~= nil or words.y ~= nil) then
-    alarm("mode", "%s takes @ and ^ in the XY plane only, and not beside X or Y", name)
+    alarm("mode", "%s accepts @ and ^ only in the XY plane, and not together with X or Y", name)
   end
   ngc_modes.check_spindle(words, name)
 end
@@ -232,7 +233,7 @@ local function levels(hole, words, name, p, again, current)
   hole.r = required(words, "r", name, again)
   local depth = axis_word(words, p.third, name)
   if depth == nil and again then depth = held.depth end
-  if depth == nil then alarm("word-missing", "%s needs %s, the depth of the hole", name, p.third:upper()) end
+  if depth == nil then alarm("word-missing", "%s requires %s, the depth of the hole", name, p.third:upper()) end
   held.depth = depth
   local old = held.initial
   if core.is_incremental() then
@@ -242,7 +243,7 @@ local function levels(hole, words, name, p, again, current)
     hole.bottom = depth
   end
   if above(hole.bottom, hole.r) then
-    alarm("word-value", "%s: R %.10g lies below the bottom of the hole, %s%.10g", name, hole.r, p.third:upper(),
+    alarm("word-value", "%s: R %.10g is below the bottom of the hole, %s%.10g", name, hole.r, p.third:upper(),
       hole.bottom)
   end
   -- The tool first moves straight up to the R level if it is below it.
@@ -262,33 +263,33 @@ end
 -- Cycles that a controller may read without executing them.
 local bores = { G85 = true, G86 = true, G89 = true }
 
-local NOWHERE = 0 / 0
+local UNKNOWN_POSITION = 0 / 0
 
 local function drill(name, words, before)
   check_table(words, name)
   words = words or {}
   cycles.check_modes(name)
   if bores[name] and not core.drilling.bores then
-    core.warn(name .. ": this control reads it, and moves nothing")
+    core.warn(name .. ": this controller reads it but does not move")
     return
   end
   local p, again = plane_view.planes[core.plane()], before == name
   check_axes(words, name, p)
   local repeats = cycles.repeats(cycles.word(words, "l", name), "L", name)
-  if repeats == 0 then alarm("word-value", "%s cannot be repeated 0 times; L is 1 or more", name) end
+  if repeats == 0 then alarm("word-value", "%s cannot be repeated 0 times; L must be 1 or more", name) end
   local here, unit = axes.program_position(), core.unit_mm()
   local current = snap(here[p.third] / unit)
   if not cycles.is_cycle(before) then held.initial = current end
   local hole = { first = snap(here[p.first] / unit), second = snap(here[p.second] / unit) }
   local tool = cycles.tool(p, here)
-  if path.is_displaced() then tool[3] = NOWHERE end   -- whatever the first stroke, it is a move
+  if path.is_displaced() then tool[3] = UNKNOWN_POSITION end   -- whatever the first stroke, it is a move
   add_strokes(hole, tool)
   current = levels(hole, words, name, p, again, current)
   read_words(hole, words, name, p, again)
   local step = core.is_incremental() and make_stepper(words, name, p)
   if not step then set_absolute_position(hole, words, name, p) end
   -- The moves of a cycle follow the exact path in every path mode.
-  path.in_mode("exact_path", function()
+  path.call_in_mode("exact_path", function()
     for pass = 1, repeats do
       if step then step(hole) end
       -- The move to the first hole is at the level of the tool, moves between repeats are at the clearance
@@ -306,7 +307,7 @@ local function drill(name, words, before)
 end
 
 for name in pairs(strokes) do
-  local modal = motion.new(name, core.word(word_id(), if_allowed(name, function(words) drill(name, words, name) end)))
+  local modal = motion.new(name, core.word(word_id(), with_compensation_check(name, function(words) drill(name, words, name) end)))
   word(name, function(words)
     local before = core.motion()
     core.make_modal(modal)

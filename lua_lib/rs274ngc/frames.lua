@@ -5,14 +5,15 @@
 -- The parameters #5221.. hold the systems in inches and degrees, #5211.. the G92 offset. As in LinuxCNC,
 -- values written into them take effect when a word loads them.
 
+local dialect = use "core/dialect"
 local alarm, copied = use("core/basics", "alarm", "copied")
 local word = use("core/words", "word")
 local axes, compensation, frames, parameters, path, state =
-  use "core/axes", use "common/compensation", use "common/frames", use "rs274ngc/variables", use "core/path", use "core/state"
+  use "core/axes", use "common/compensation", use "common/frames", dialect.use "variables", use "core/path", use "core/state"
 
 local systems = {}
 
-local FIRST_SYSTEM, PER_SYSTEM, ROTATION = 5221, 20, 9
+local FIRST_SYSTEM, PARAMETERS_PER_SYSTEM, ROTATION = 5221, 20, 9
 local G92_ACTIVE, FIRST_G92 = 5210, 5211
 local ACTIVE_SYSTEM = 5220
 local names = { "54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3" }
@@ -26,7 +27,7 @@ systems.active_system = 1     -- its number
 local origin = {}       -- of the system in force, by letter, mm or deg
 local rotation_deg = 0  -- of the system in force
 
-local function base(system) return FIRST_SYSTEM + (system - 1) * PER_SYSTEM end
+local function base(system) return FIRST_SYSTEM + (system - 1) * PARAMETERS_PER_SYSTEM end
 
 -- Returns the origin (by letter, mm and deg) and rotation of a system from its parameters.
 function systems.data(system)
@@ -47,7 +48,7 @@ end
 function systems.is_origin(number)
   if number == ACTIVE_SYSTEM then return true end
   local place = number - FIRST_SYSTEM
-  return place >= 0 and place < PER_SYSTEM * #names and place % PER_SYSTEM < ROTATION
+  return place >= 0 and place < PARAMETERS_PER_SYSTEM * #names and place % PARAMETERS_PER_SYSTEM < ROTATION
 end
 
 -- Returns the current offsets of the machine data. Unchanged values are as in the data, without conversion to
@@ -183,7 +184,7 @@ end
 -- LinuxCNC ignores it while cutter compensation is on.
 word("G92_3", function()
   if compensation.word then
-    core.warn("G92.3 does nothing while cutter compensation is on; G40 first")
+    core.warn("G92.3 has no effect while cutter compensation is on; program G40 first")
     return
   end
   parameters.set(G92_ACTIVE, 1)
@@ -191,7 +192,7 @@ word("G92_3", function()
 end)
 
 word("G53", function()
-  axes.refuse_with_tcp_control("G53")
+  axes.reject_with_tcp_control("G53")
   if core.is_incremental() then alarm("mode", "G53 moves in machine coordinates, which are absolute: it needs G90") end
   core.machine_frame_once()
 end)

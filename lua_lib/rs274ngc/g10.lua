@@ -1,9 +1,10 @@
 -- RS274/NGC: G10 sets the tool table (L1, L10, L11) and the work coordinate systems (L2, L20).
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local axes, compensation, frames, parameters = use "core/axes", use "common/compensation", use "common/frames", use "rs274ngc/variables"
-local path, state, systems, tools = use "core/path", use "core/state", use "rs274ngc/frames", use "common/tools"
+local axes, compensation, frames, parameters = use "core/axes", use "common/compensation", use "common/frames", dialect.use "variables"
+local path, state, systems, tools = use "core/path", use "core/state", dialect.use "frames", use "common/tools"
 
 local SYSTEMS = 9
 local REFERENCE_SYSTEM = 9      -- G59.3, which L11 measures by
@@ -11,7 +12,7 @@ local LAST_ORIENTATION = 9
 
 local function reject_words(words, letters, name)
   for _, letter in ipairs(letters) do
-    if words[letter] ~= nil then alarm("word-out-of-place", "%s takes no %s", name, letter:upper()) end
+    if words[letter] ~= nil then alarm("word-out-of-place", "%s does not accept %s", name, letter:upper()) end
   end
 end
 
@@ -20,10 +21,10 @@ end
 local function read_system(words, name)
   local number = parameters.whole(words.p)
   if number == nil or number < 0 or number > SYSTEMS then
-    alarm("word-missing", "%s needs P from 1 (G54) to %d (G59.3), or 0 for the system in force", name, SYSTEMS)
+    alarm("word-missing", "%s needs P from 1 (G54) to %d (G59.3), or 0 for the active system", name, SYSTEMS)
   end
   if number == 0 then number = systems.active_system end
-  if number == systems.active_system then compensation.refuse(name .. " for the system in force") end
+  if number == systems.active_system then compensation.refuse(name .. " for the active system") end
   return number
 end
 
@@ -78,8 +79,8 @@ end
 
 local function find_tool(words, name)
   local number = parameters.whole(words.p)
-  if number == nil or number < 1 then alarm("word-missing", "%s needs P, the number of a tool", name) end
-  return tools.by_number[number] or alarm("tool", "%s P%d: there is no tool %d in the tool table", name, number, number)
+  if number == nil or number < 1 then alarm("word-missing", "%s needs P, the tool number", name) end
+  return tools.by_number[number] or alarm("tool", "%s P%d: tool %d is not in the tool table", name, number, number)
 end
 
 -- Sets R, I, J and Q of a tool: radius, front and back angle, orientation.
@@ -90,7 +91,7 @@ local function set_shape(tool, words, name)
   if words.q ~= nil then
     local orientation = parameters.whole(words.q)
     if orientation == nil or orientation < 0 or orientation > LAST_ORIENTATION then
-      alarm("word-value", "Q of %s is the orientation of a tool, a whole number from 0 to %d", name, LAST_ORIENTATION)
+      alarm("word-value", "Q of %s (tool orientation) must be an integer from 0 to %d", name, LAST_ORIENTATION)
     end
     tool.orientation = orientation
   end
@@ -139,7 +140,7 @@ local function set_tool_by_position(name, words, system, g92)
 end
 
 local meanings = {
-  [0] = function() path.event("tool_table", "read again: as it is") end,
+  [0] = function() path.event("tool_table", "read again: unchanged") end,
   [1] = set_tool,
   [2] = set_origin,
   [10] = function(words) set_tool_by_position("G10 L10", words, systems.active_system, state.g92) end,

@@ -1,8 +1,9 @@
 -- RS274/NGC: G28 and G30 move to a stored point through an intermediate point, G28.1 and G30.1 store the
 -- machine position.
 
+local dialect = use "core/dialect"
 local word = use("core/words", "word")
-local axes, parameters, path, polar = use "core/axes", use "rs274ngc/variables", use "core/path", use "common/polar"
+local axes, parameters, path, polar = use "core/axes", dialect.use "variables", use "core/path", use "common/polar"
 
 -- Returns the stored point in machine coordinates, from its parameters (inches and degrees).
 local function stored(first)
@@ -47,11 +48,11 @@ local function define(name, first, home_number)
     if home and not core.variables[number] then parameters.set(number, parameters.to_stored(letter, home)) end
   end
   word(name, function(words)
-    axes.refuse_with_tcp_control(name)
+    axes.reject_with_tcp_control(name)
     go(words, first)
   end)
   word(name .. "_1", function()
-    axes.refuse_with_tcp_control(name .. ".1")
+    axes.reject_with_tcp_control(name .. ".1")
     store(first, axes.display_point(axes.programmed_point()))
   end)
 end

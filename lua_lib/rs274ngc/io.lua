@@ -4,19 +4,20 @@
 -- is off). A nil value means that it did not happen in time. Without a function, inputs are signals if the
 -- run has processes; otherwise each is 0 at once, as in a dry run of LinuxCNC.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local inputs, parameters, path = use "common/inputs", use "rs274ngc/variables", use "core/path"
+local inputs, parameters, path = use "common/inputs", dialect.use "variables", use "core/path"
 
 local RESULT = 5399
 local TIMED_OUT = -1
-local LAST_WAIT = 4
+local MAX_WAIT_MODE = 4
 local WITH_MOVE = " with the next move"
 
 local function number_of(value, name, letter)
   local whole = parameters.whole(value)
   if whole == nil or whole < 0 then
-    alarm("word-value", "%s needs %s, the number of an input or output from 0 on", name, letter)
+    alarm("word-value", "%s needs %s, the number of an input or output, at least 0", name, letter)
   end
   return whole
 end
@@ -46,7 +47,7 @@ end
 analog("M67", true)
 analog("M68", false)
 
-local HOW = { "rises", "falls", "on", "off" }
+local WAIT_CONDITIONS = { "rises", "falls", "on", "off" }
 
 -- Returns the response of other processes: the signal of the input. The robot is idle meanwhile.
 local function read_signal(kind, number, wait, timeout)
@@ -55,7 +56,7 @@ local function read_signal(kind, number, wait, timeout)
   if value == nil then return 0, 0 end
   if wait > 0 then
     local signal = inputs.io_signal(name, number)
-    if not core.processes.wait_signal(signal, HOW[wait], nil, timeout) then return TIMED_OUT, 0 end
+    if not core.processes.wait_signal(signal, WAIT_CONDITIONS[wait], nil, timeout) then return TIMED_OUT, 0 end
     value = core.processes.value(signal)
   end
   if kind == "digital" then return (value and value ~= 0) and 1 or 0, 0 end
@@ -68,7 +69,7 @@ local function ask(kind, number, wait, timeout)
   local value, waited = handler(kind, number, wait, timeout)
   if value == true then value = 1 elseif value == false then value = 0 end
   if value ~= nil and type(value) ~= "number" then
-    alarm("script", "on_input's function returns a number, true, false or nil")
+    alarm("script", "the function of on_input must return a number, true, false or nil")
   end
   if value == nil then return TIMED_OUT, timeout end
   return value, math.min(waited or 0, timeout)
@@ -77,7 +78,7 @@ end
 -- Returns the input that M66 reads: its kind and number.
 local function read_input(words)
   if words.p ~= nil and words.e ~= nil then
-    alarm("word-out-of-place", "M66 reads a digital input (P) or an analog one (E), not both")
+    alarm("word-out-of-place", "M66 reads a digital input (P) or an analog input (E), not both")
   end
   if words.e ~= nil then return "analog", number_of(words.e, "M66", "E") end
   return "digital", number_of(words.p, "M66", "P or E")
@@ -86,12 +87,12 @@ end
 word("M66", function(words)
   local kind, number = read_input(words or {})
   local wait, timeout = parameters.whole(words.l or 0), words.q or 0
-  if wait == nil or wait < 0 or wait > LAST_WAIT then
-    alarm("word-value", "L of M66 is a way to wait, from 0 to %d", LAST_WAIT)
+  if wait == nil or wait < 0 or wait > MAX_WAIT_MODE then
+    alarm("word-value", "L of M66 is a wait mode and must be from 0 to %d", MAX_WAIT_MODE)
   end
-  if wait ~= 0 and kind == "analog" then alarm("word-value", "M66 reads an analog input at once: L is 0 there") end
+  if wait ~= 0 and kind == "analog" then alarm("word-value", "M66 reads an analog input immediately: L must be 0") end
   if wait ~= 0 and timeout <= 0 then
-    alarm("word-missing", "M66 L%d waits, and needs Q, the longest time in s", wait)
+    alarm("word-missing", "M66 L%d waits and needs Q, the maximum time in s", wait)
   end
   path.flush()
   local value, waited = ask(kind, number, wait, wait == 0 and 0 or timeout)

@@ -1,17 +1,18 @@
 -- RS274/NGC: G7 and G8 select diameter or radius for X on a lathe. As in LinuxCNC the words X of all codes
 -- are then diameters, and so are the depths of G76; centres, R, @ and parameter values of X are not.
 
+local dialect = use "core/dialect"
 local word = use("core/words", "word")
-local axes, computed, context, named = use "core/axes", use "rs274ngc/computed_codes", use "rs274ngc/modal_state", use "rs274ngc/named_parameters"
+local axes, computed, context, named = use "core/axes", dialect.use "computed_codes", dialect.use "modal_state", dialect.use "named_parameters"
 
-local HALF = 0.5
+local DIAMETER_FACTOR = 0.5
 
 local is_diameter = false
 
 local function mode(name, on)
   word(name, function()
     is_diameter = on
-    if axes.is_rotary.x ~= nil then core.set_word_factor("x", on and HALF or 1) end
+    if axes.is_rotary.x ~= nil then core.set_word_factor("x", on and DIAMETER_FACTOR or 1) end
   end)
   computed.allow("G", name:sub(2))
 end

@@ -6,7 +6,7 @@ local word = use("core/words", "word")
 local path = use "core/path"
 
 local DIGIT_0, DIGIT_9 = ("09"):byte(1, 2)
-local UNKNOWN = "######"   -- for a parameter without a value
+local UNKNOWN_VALUE_TEXT = "######"   -- for a parameter without a value
 local ZERO_LIMIT = 1e-4 -- what is smaller, as LinuxCNC prints it
 
 local plain = { ["%f"] = "%f", ["%d"] = "%.0f", ["%%"] = "%%" }
@@ -22,7 +22,7 @@ local function format_at(text, at)
 end
 
 local function display_text(format, value)
-  if value == nil then return UNKNOWN end
+  if value == nil then return UNKNOWN_VALUE_TEXT end
   local number = env.number(value)
   local text = format:format(math.abs(number) < ZERO_LIMIT and 0 or number)
   if tonumber(text) == 0 and text:sub(1, 1) == "-" then return text:sub(2) end
@@ -47,7 +47,7 @@ local function filled(text, ...)
 end
 
 local function check_text(text, name)
-  if type(text) ~= "string" then alarm("script", "%s takes a text", name) end
+  if type(text) ~= "string" then alarm("script", "%s needs a string", name) end
   return text
 end
 
@@ -55,19 +55,19 @@ end
 word("ABORT", function(text, ...)
   local said = filled(check_text(text, "ABORT"), ...)
   while said:sub(1, 1) == " " do said = said:sub(2) end
-  alarm("program-alarm", "%s", said ~= "" and said or "(abort,) without a text")
+  alarm("program-alarm", "%s", said ~= "" and said or "(abort,) needs a text")
 end)
 
 -- Comments that run Python inside of LinuxCNC's interpreter, which can have any effect.
 for name, display_text in pairs { PY = "(py,)", PYRUN = "(pyrun,)" } do
   word(name, function()
     alarm("code-unsupported",
-      "%s runs Python of the control, which is not supported: take it out, or write in Lua what it does", display_text)
+      "%s runs Python of the controller, which is not supported: remove it, or rewrite it in Lua", display_text)
   end)
 end
 
 word("PYRELOAD", function()
-  core.warn("(pyreload) does nothing: there is no Python here")
+  core.warn("(pyreload) has no effect: Python is not supported")
 end)
 
 local function message(name, kind, is_visible)

@@ -1,8 +1,9 @@
 -- RS274/NGC: M70 to M73 save and restore the modal state.
 
+local dialect = use "core/dialect"
 local alarm, copied = use("core/basics", "alarm", "copied")
 local hooks, state, switches, systems, words =
-  use "core/hooks", use "core/state", use "rs274ngc/overrides", use "rs274ngc/frames", use "core/words"
+  use "core/hooks", use "core/state", dialect.use "overrides", dialect.use "frames", use "core/words"
 
 local word = words.word
 
@@ -97,7 +98,7 @@ word("M71", function() saved_modes = nil end)
 word("M73", function() keep(true) end)
 word("M72", function()
   if saved_modes == nil then
-    alarm("mode", "M72 brings back what M70 or M73 has kept in the same subroutine, and there is nothing")
+    alarm("mode", "M72 restores what M70 or M73 has saved in the same subroutine, but nothing is saved")
   end
   restore(saved_modes)
 end)

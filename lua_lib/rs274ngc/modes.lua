@@ -14,13 +14,13 @@ core.set_inverse_time_of_arcs(false)   -- 60/F s for a complete arc, as for a li
 local function check_spindle(words, name, all)
   local number = words and words.spindle
   if number ~= nil and number ~= 0 and not (all and number == -1) then
-    alarm("spindle", "%s: there is one spindle, $0, and no $%.10g", name, number)
+    alarm("spindle", "%s: the only spindle is $0; $%.10g does not exist", name, number)
   end
 end
 
 word("F", function(value)
   if not given(value, "F") then return end
-  if value < 0 then alarm("word-value", "F is a feed from 0 on, not %.10g", value) end
+  if value < 0 then alarm("word-value", "F must be a feed of at least 0, not %.10g", value) end
   if core.feed_mode() ~= "inverse" then state.feed = value end   -- in G93 F is that of its block
   if value > 0 then core.set_feed(value) else core.clear_feed() end
 end)
@@ -57,7 +57,7 @@ end
 local function set_speed()
   local rpm = surface and surface_rpm() or state.spindle_word
   if rpm == math.huge then   -- LinuxCNC leaves that to its spindle
-    core.warn("G96 at X0 has no highest speed, and none is set; give it by D")
+    core.warn("G96 at X0: the speed has no maximum and is set to 0; program the maximum with D")
     rpm = 0
   end
   spindle.set_speed(rpm)
@@ -65,7 +65,7 @@ end
 
 local function speed(value, name)
   if type(value) ~= "number" or value < 0 then
-    alarm("word-value", "S%s is a speed from 0 on, not %s", name, tostring(value))
+    alarm("word-value", "S%s must be a speed of at least 0, not %s", name, tostring(value))
   end
   state.spindle_word = value
 end
@@ -87,7 +87,7 @@ word("G96", function(words)
   end
   local most = math.abs(words.d or 0)
   surface = { max_rpm = most > 0 and most or math.huge }
-  core.warn("G96: the spindle speed is worked out where S is programmed, and does not follow X from there")
+  core.warn("G96: the spindle speed is computed at the block with S and does not follow X from there")
   set_speed()
 end)
 
@@ -118,10 +118,10 @@ word("M19", function(words)
   words = words or {}
   local angle, way = words.r or 0, ways[words.p or 0]
   if angle < 0 or angle > FULL_TURN then
-    alarm("word-value", "R of M19 is an angle from 0 to 360 degrees, not %.10g", angle)
+    alarm("word-value", "R of M19 must be an angle from 0 to 360 degrees, not %.10g", angle)
   end
-  if way == nil then alarm("word-value", "P of M19 is 0, 1 or 2: the shortest way, clockwise or counterclockwise") end
-  if words.q ~= nil and words.q <= 0 then alarm("word-value", "Q of M19 is a time above 0 s, not %.10g", words.q) end
+  if way == nil then alarm("word-value", "P of M19 must be 0, 1 or 2: shortest direction, clockwise or counterclockwise") end
+  if words.q ~= nil and words.q <= 0 then alarm("word-value", "Q of M19 must be a time greater than 0 s, not %.10g", words.q) end
   state.spindle = nil
   local within = words.q and (", within %.10g s"):format(words.q) or ""   -- it is there at once
   path.event("spindle_orient", ("%.10g deg, %s%s"):format(angle, way, within))
@@ -164,7 +164,7 @@ end)
 word("G64", function(words)
   for letter, value in pairs(words or {}) do
     if (letter ~= "p" and letter ~= "q") or type(value) ~= "number" then
-      alarm("word-out-of-place", "G64 takes P and Q, the tolerances of the path and of merging lines, and no '%s'",
+      alarm("word-out-of-place", "G64 accepts P and Q, the tolerances of the path and of merging lines, not '%s'",
         tostring(letter))
     end
   end
@@ -176,7 +176,7 @@ end)
 
 -- Handles a code that the translator deferred: the surrounding subroutine is called after all.
 function env.unknown_code(code)
-  alarm("code-unknown", "%s is no code of RS274/NGC", code)
+  alarm("code-unknown", "%s is not a code of RS274/NGC", code)
 end
 
 return { check_spindle = check_spindle }

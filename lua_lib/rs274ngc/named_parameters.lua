@@ -1,10 +1,11 @@
 -- RS274/NGC: named parameters #<name> as p.name. A name that begins with _ is global, any other is local to
 -- the subroutine; some global parameters belong to the controller and are read-only.
 
+local dialect = use "core/dialect"
 local alarm, code_number = use("core/basics", "alarm", "code_number")
 local axes, compensation, hooks, modes, parameters =
-  use "core/axes", use "common/compensation", use "core/hooks", use "rs274ngc/modal_state", use "rs274ngc/variables"
-local state, switches, systems, tools = use "core/state", use "rs274ngc/overrides", use "rs274ngc/frames", use "common/tools"
+  use "core/axes", use "common/compensation", use "core/hooks", dialect.use "modal_state", dialect.use "variables"
+local state, switches, systems, tools = use "core/state", dialect.use "overrides", dialect.use "frames", use "common/tools"
 
 local predefined = {}   -- functions by name
 
@@ -14,7 +15,7 @@ local function missing(_, name)
   local value = predefined[name]
   if value == nil then
     alarm("variable",
-      "the parameter #<%s> has no value here; give it one first (names without _ belong to their subroutine)",
+      "the parameter #<%s> has no value here; set it first (names without _ are local to their subroutine)",
       tostring(name))
   end
   return value() + 0.0
@@ -25,7 +26,7 @@ local globals = setmetatable({}, { __index = missing })
 local scope = {
   __index = globals,
   __newindex = function(locals, name, value)
-    if predefined[name] then alarm("variable", "#<%s> is read-only: the control itself sets it", name) end
+    if predefined[name] then alarm("variable", "#<%s> is read-only: the controller sets it", name) end
     rawset(name:byte() == UNDERSCORE and globals or locals, name, value)
   end,
 }

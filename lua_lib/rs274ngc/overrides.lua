@@ -3,9 +3,10 @@
 -- rapid moves, and a move keeps the settings that were active when it was programmed. Adaptive feed and feed
 -- hold have no input here.
 
+local dialect = use "core/dialect"
 local copied = use("core/basics", "copied")
 local word = use("core/words", "word")
-local ngc_modes, overrides, path = use "rs274ngc/modes", use "common/overrides", use "core/path"
+local ngc_modes, overrides, path = dialect.use "modes", use "common/overrides", use "core/path"
 
 local switches = {}
 

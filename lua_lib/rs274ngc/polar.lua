@@ -5,7 +5,7 @@
 local alarm, copied = use("core/basics", "alarm", "copied")
 local axes = use "core/axes"
 
-local SAME_POINT = 1e-9
+local POLE_TOLERANCE = 1e-9
 
 core.on_polar(function(words)
   if words.x ~= nil or words.y ~= nil then
@@ -14,9 +14,9 @@ core.on_polar(function(words)
   local program = axes.program_position()
   local x, y = program.x / core.unit_mm(), program.y / core.unit_mm()
   local radius, angle = math.sqrt(x * x + y * y), math.atan(y, x)
-  if radius < SAME_POINT and (core.is_incremental() or words.angle == nil) then
+  if radius < POLE_TOLERANCE and (core.is_incremental() or words.angle == nil) then
     alarm("word-value",
-      "@ without ^, ^ without @ and increments of them need a present point that is not the zero point")
+      "@ without ^, ^ without @ and their increments need a current point that is not the zero point")
   end
   if core.is_incremental() then
     radius, angle = radius + (words.radius or 0), angle + math.rad(words.angle or 0)

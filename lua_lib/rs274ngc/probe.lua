@@ -1,8 +1,9 @@
 -- RS274/NGC: G38.2 to G38.5, straight probing. The results are #5061 to #5069 (the point) and #5070 (found or not).
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local axes, motion, move_until_signal, parameters, path, polar =
-  use "core/axes", use "common/motion", use "common/probe", use "rs274ngc/variables", use "core/path", use "common/polar"
+  use "core/axes", use "common/motion", use "common/probe", dialect.use "variables", use "core/path", use "common/polar"
 
 local FIRST_RESULT, PROBE_FOUND = 5061, 5070
 
@@ -22,7 +23,7 @@ local function check(name, words, must_find)
   if not named then alarm("word-missing", "%s needs the axis words of its end", name) end
   local from, moves = axes.programmed_point(), false
   for letter, value in pairs(target) do moves = moves or value ~= from[letter] end
-  if must_find and not moves then alarm("word-missing", "%s begins at its end; it needs a way to go", name) end
+  if must_find and not moves then alarm("word-missing", "%s begins at its end; its distance must not be 0", name) end
   return target
 end
 
@@ -32,13 +33,13 @@ local function define(name, must_find, away)
     local target = check(code_name, words, must_find)
     local found, at_start, point = move_until_signal(target, away)
     if at_start and must_find then
-      alarm("probe", away and "%s goes away from what the probe touches, and it touches nothing where it begins"
-        or "%s goes to what the probe is to touch, and it touches already where it begins", code_name)
+      alarm("probe", away and "%s moves away from a contact, but the probe has no contact at the start"
+        or "%s moves to a contact, but the probe already has contact at the start", code_name)
     end
     store_result(point, found)
     path.event("probe", found and "found" or "nothing found")
     if not found and must_find then
-      alarm("probe", "%s has come to its end, and the probe has not %s", code_name, away and "come free" or "touched anything")
+      alarm("probe", "%s has reached its end, but the probe has not %s", code_name, away and "lost contact" or "made contact")
     end
   end)
 end

@@ -1,9 +1,9 @@
 -- RS274/NGC: splines in the XY plane, G5 (cubic), G5.1 (quadratic), G5.2 / G5.3 (NURBS), output as pairs of
 -- arcs.
 
-local alarm, check_table, space_between = use("core/basics", "alarm", "check_table", "space_between")
+local alarm, check_table, distance_in_space = use("core/basics", "alarm", "check_table", "distance_in_space")
 local feed_of_part = use("common/feed", "feed_of_part")
-local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
+local with_compensation_check, word, word_id = use("core/words", "with_compensation_check", "word", "id")
 local axes, motion, path, splines = use "core/axes", use "common/motion", use "core/path", use "common/splines"
 
 local SAME_MM = 1e-9
@@ -66,9 +66,9 @@ local function check(words, name, letters)
   if core.plane() ~= "xy" then alarm("mode", "%s is a curve in the XY plane (G17)", name) end
   for letter, value in pairs(words) do
     if letters:find(" " .. tostring(letter) .. " ", 1, true) == nil then
-      alarm("word-out-of-place", "%s is a curve in X and Y, and takes no word '%s'", name, tostring(letter))
+      alarm("word-out-of-place", "%s is a curve in X and Y and does not accept the word '%s'", name, tostring(letter))
     end
-    if type(value) ~= "number" then alarm("script", "%s: the value of %s is no number", name, letter:upper()) end
+    if type(value) ~= "number" then alarm("script", "%s: the value of %s is not a number", name, letter:upper()) end
   end
 end
 
@@ -88,13 +88,13 @@ word("G5", function(words)
   words = words or {}
   check(words, "G5", " x y i j p q ")
   local start = here()
-  local continues = last_g5 ~= nil and space_between(last_g5.point, start) < SAME_MM
+  local continues = last_g5 ~= nil and distance_in_space(last_g5.point, start) < SAME_MM
   local first = pair(words, "i", "j", "G5", true) or continues and last_g5.lead or { 0, 0 }
   local last = pair(words, "p", "q", "G5")
   -- grblHAL uses the negated P and Q of the block itself, while others use those of the block before.
   if continues and words.i == nil and core.spline_chord_mm > 0 then first = { -last[1], -last[2] } end
   local target, named = core.target(words, " i j p q ")
-  if not named then alarm("word-missing", "G5 needs X or Y, its end") end
+  if not named then alarm("word-missing", "G5 needs its end, X or Y") end
   output_bezier { start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target }
   last_g5 = { point = target, lead = { -last[1], -last[2] } }
 end)
@@ -105,7 +105,7 @@ word("G5_1", function(words)
   check(words, "G5.1", " x y i j ")
   local middle = pair(words, "i", "j", "G5.1")
   local target, named = core.target(words, " i j ")
-  if not named then alarm("word-missing", "G5.1 needs X or Y, its end") end
+  if not named then alarm("word-missing", "G5.1 needs its end, X or Y") end
   local start = here()
   output_bezier { start, moved(start, middle[1], middle[2]), target }
 end)
@@ -116,11 +116,11 @@ local function add_control_point(words, first)
   check(words, "G5.2", " x y p l ")
   if words.l ~= nil and words.l > 1 then
     if words.l % 1 ~= 0 then
-      alarm("word-value", "L of G5.2 is the order of the curve, a whole number, not %.10g", words.l)
+      alarm("word-value", "L of G5.2 (order of the curve) must be an integer, not %.10g", words.l)
     end
     nurbs.order = math.tointeger(words.l)
   end
-  if words.p ~= nil and words.p <= 0 then alarm("word-value", "P of G5.2 is a weight above 0, not %.10g", words.p) end
+  if words.p ~= nil and words.p <= 0 then alarm("word-value", "P of G5.2 (weight) must be greater than 0, not %.10g", words.p) end
   if words.x == nil and words.y == nil then
     if not first then alarm("word-missing", "a control point needs X and Y") end
     nurbs.weights[1] = words.p or 1   -- of the start
@@ -129,13 +129,13 @@ local function add_control_point(words, first)
   if not first and words.p == nil then alarm("word-missing", "a control point needs P, its weight") end
   if words.x == nil or words.y == nil then alarm("word-value", "a control point needs X and Y") end
   if #nurbs.points == MAX_CONTROL_POINTS then
-    alarm("word-value", "a curve has up to %d control points", MAX_CONTROL_POINTS)
+    alarm("word-value", "a curve may have at most %d control points", MAX_CONTROL_POINTS)
   end
   nurbs.points[#nurbs.points + 1] = core.target(words, " p l ")
   nurbs.weights[#nurbs.weights + 1] = words.p or 1
 end
 
-local next_point = motion.new("G5.2", core.word(word_id(), if_allowed("G5_2", function(words)
+local next_point = motion.new("G5.2", core.word(word_id(), with_compensation_check("G5_2", function(words)
   add_control_point(words or {}, false)
 end)))
 
@@ -148,13 +148,13 @@ end)
 
 word("G5_3", function()
   if nurbs == nil or core.motion() ~= "G5.2" then
-    alarm("arc", "G5.3 ends a curve that G5.2 begins, and there is none")
+    alarm("arc", "G5.3 ends a curve that G5.2 begins, but no curve is active")
   end
   local curve = nurbs
   nurbs = nil
   motion.end_motion()
   if #curve.points < curve.order then
-    alarm("word-missing", "a curve of order %d needs %d control points, the start among them, and has %d",
+    alarm("word-missing", "a curve of order %d needs %d control points including its start, but has %d",
       curve.order, curve.order,
       #curve.points)
   end

@@ -1,8 +1,9 @@
 -- RS274/NGC: O-word subroutines. `sub(100, function() ... end)` defines one when the file is loaded,
 -- `call(100, 1.5, 2)` calls it with #1 = 1.5 and #2 = 2.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
-local calls, parameters, programs, state = use "core/calls", use "rs274ngc/variables", use "core/programs", use "core/state"
+local calls, parameters, programs, state = use "core/calls", dialect.use "variables", use "core/programs", use "core/state"
 
 local MAX_ARGUMENTS = 30
 
@@ -10,7 +11,7 @@ local subs = {}   -- { body, place } by number or name
 
 local function sub_key(name)
   if type(name) == "string" then return name:lower() end
-  return parameters.whole(name) or alarm("word-value", "the number of a subroutine is whole, not %s", tostring(name))
+  return parameters.whole(name) or alarm("word-value", "the number of a subroutine must be an integer, not %s", tostring(name))
 end
 
 local function display_text(key) return type(key) == "string" and ("o<%s>"):format(key) or ("o%d"):format(key) end
@@ -20,7 +21,7 @@ function env.sub(name, body)
   core.note_place()
   local place = core.place()
   if subs[key] and subs[key].place ~= place then
-    alarm("program-twice", "%s sub stands twice; the first one is in line %d", display_text(key), subs[key].place & 0xffffffff)
+    alarm("program-twice", "%s sub is defined twice; first in line %d", display_text(key), subs[key].place & 0xffffffff)
   end
   subs[key] = { body = body, place = place }
 end
@@ -28,13 +29,13 @@ end
 local function find(key)
   if subs[key] == nil then programs.load_file(key) end
   return subs[key] or alarm("program-missing",
-    "%s call: there is no such subroutine, neither in this file nor in a file beside it", display_text(key))
+    "%s call: subroutine not found, neither in this file nor in a file next to it", display_text(key))
 end
 
 function env.call(name, ...)
   local key = sub_key(name)
   if select("#", ...) > MAX_ARGUMENTS then
-    alarm("word-value", "%s call has %d arguments; a subroutine takes up to %d", display_text(key), select("#", ...),
+    alarm("word-value", "%s call has %d arguments; a subroutine accepts at most %d", display_text(key), select("#", ...),
       MAX_ARGUMENTS)
   end
   local found = find(key)
@@ -52,7 +53,7 @@ function env.result(value) return env.number(value) end
 -- Returns the passes of o-repeat: the nearest integer, halves to even; 0 passes for values below 0.
 function env.times(count)
   if type(count) ~= "number" or count ~= count or math.abs(count) > 2^53 then
-    alarm("word-value", "the number of repeats is a number, not %s", tostring(count))
+    alarm("word-value", "the number of repeats must be a number, not %s", tostring(count))
   end
   local below = math.floor(count)
   local part = count - below

@@ -1,8 +1,9 @@
 -- G33, G33.1 and G76 of RS274/NGC, as LinuxCNC 2.9 executes them.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local axes, cycles, motion, ngc_modes, path, spindle, state =
-  use "core/axes", use "common/cycles", use "common/motion", use "rs274ngc/modes", use "core/path", use "common/spindle", use "core/state"
+  use "core/axes", use "common/cycles", use "common/motion", dialect.use "modes", use "core/path", use "common/spindle", use "core/state"
 
 local function required_word(words, letter, name)
   local value = cycles.word(words, letter, name)
@@ -12,7 +13,7 @@ end
 
 -- Returns the target; `others` lists the other allowed words, each between blanks.
 local function axis_words(words, name, others)
-  if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
+  if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which requires G0 or G1", name) end
   local target, moved = core.target(words or {}, others)
   if not moved then alarm("word-missing", "%s needs axis words", name) end
   ngc_modes.check_spindle(words, name)
@@ -22,7 +23,7 @@ end
 local function reject_rotary(words, name)
   for _, axis in ipairs(axes.list) do
     if axis.rotary and words[axis.letter] ~= nil then
-      alarm("word-out-of-place", "%s moves linear axes only; %s cannot stand in its block", name, axis.letter:upper())
+      alarm("word-out-of-place", "%s moves only linear axes; %s cannot be in its block", name, axis.letter:upper())
     end
   end
 end
@@ -32,7 +33,7 @@ local function thread(words)
   local target = axis_words(words, "G33", " k spindle ")
   local pitch = required_word(words, "k", "G33")
   if state.spindle == nil then
-    alarm("spindle", "G33 moves in step with the spindle, which does not turn (S and M3 or M4)")
+    alarm("spindle", "G33 moves in step with the spindle, which is stopped (program S and M3 or M4)")
   end
   path.line(target, pitch ~= 0 and spindle.thread_feed(pitch * core.unit_mm(), "G33") or nil, "thread")
 end
@@ -43,7 +44,7 @@ local function rigid_tap(words)
   reject_rotary(words, "G33.1")
   local pitch = required_word(words, "k", "G33.1") * core.unit_mm()
   local faster = cycles.word(words, "i", "G33.1") or 1
-  if not (faster > 0) then alarm("word-value", "I of G33.1 is a factor of speed above 0, not %.10g", faster) end
+  if not (faster > 0) then alarm("word-value", "I of G33.1 (speed factor) must be greater than 0, not %.10g", faster) end
   local start, forth = axes.programmed_point(), state.spindle
   path.line(target, spindle.thread_feed(pitch, "G33.1"), "thread")
   spindle.turn(forth == "cw" and "ccw" or "cw")
@@ -72,19 +73,19 @@ local function thread_words(words)
     taper = (cycles.word(words, "e", "G76") or 0) * unit,
     tapered_ends = cycles.word(words, "l", "G76") or 0,
   }
-  if t.peak == 0 then alarm("word-value", "I of G76, from the drive line to the crest of the thread, is not 0") end
+  if t.peak == 0 then alarm("word-value", "I of G76, from the drive line to the crest of the thread, must not be 0") end
   if t.first_cut <= 0 then
-    alarm("word-value", "J of G76, the depth of the first cut, is above 0, not %.10g", words.j)
+    alarm("word-value", "J of G76, the depth of the first cut, must be greater than 0, not %.10g", words.j)
   end
   if t.full_depth <= t.first_cut then
-    alarm("word-value", "K of G76, the full depth, is above J: K%.10g is not above J%.10g", words.k, words.j)
+    alarm("word-value", "K of G76, the full depth, must be greater than J: K%.10g is not greater than J%.10g", words.k, words.j)
   end
   if math.abs(t.slant) >= math.pi / 2 then
-    alarm("word-value", "Q of G76 is an angle below 90 degrees, not %.10g", words.q)
+    alarm("word-value", "Q of G76 must be an angle below 90 degrees, not %.10g", words.q)
   end
-  if t.taper < 0 then alarm("word-value", "E of G76, the length of a taper, is 0 or more, not %.10g", words.e) end
+  if t.taper < 0 then alarm("word-value", "E of G76, the length of a taper, must be 0 or more, not %.10g", words.e) end
   if t.tapered_ends % 1 ~= 0 or t.tapered_ends < 0 or t.tapered_ends > 3 then
-    alarm("word-value", "L of G76 is 0 (no taper), 1 (at the entry), 2 (at the exit) or 3 (both), not %.10g", words.l)
+    alarm("word-value", "L of G76 must be 0 (no taper), 1 (at the entry), 2 (at the exit) or 3 (both), not %.10g", words.l)
   end
   return t
 end
@@ -139,7 +140,7 @@ local function threading_cycle(words)
   local drive, unit = math.abs(t.peak) / core.unit_mm(), core.unit_mm()
   while drive + depth / unit < drive + t.full_depth / unit do
     if number > MAX_PASSES then
-      alarm("word-value", "G76 would take more than %d passes; J is too small or R too large", MAX_PASSES)
+      alarm("word-value", "G76 would need more than %d passes; J is too small or R too large", MAX_PASSES)
     end
     pass(tool, t, depth)
     number = number + 1

@@ -9,7 +9,7 @@ local LAST = 5601
 local INDEX_TOLERANCE = 1e-4   -- for a number that represents an integer
 local EQUAL_TOLERANCE = 1e-4   -- of EQ and NE; the other comparisons are exact
 
-local STORED_MM = 25.4         -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
+local STORED_UNIT_MM = 25.4         -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
 
 local parameters = {
   letters = { "x", "y", "z", "a", "b", "c", "u", "v", "w" },   -- axes in the order of their parameters
@@ -24,8 +24,8 @@ function parameters.is_angle(letter)
   return known
 end
 
-function parameters.to_stored(letter, value) return parameters.is_angle(letter) and value or value / STORED_MM end
-function parameters.from_stored(letter, value) return parameters.is_angle(letter) and value or value * STORED_MM end
+function parameters.to_stored(letter, value) return parameters.is_angle(letter) and value or value / STORED_UNIT_MM end
+function parameters.from_stored(letter, value) return parameters.is_angle(letter) and value or value * STORED_UNIT_MM end
 
 -- Returns the integer that a value means, or nil.
 function parameters.whole(value)
@@ -36,7 +36,7 @@ function parameters.whole(value)
 end
 
 local function whole_number(number)
-  return parameters.whole(number) or alarm("word-value", "the number of a parameter is whole, not %s", tostring(number))
+  return parameters.whole(number) or alarm("word-value", "the number of a parameter must be an integer, not %s", tostring(number))
 end
 
 function parameters.has_number(number)
@@ -47,7 +47,7 @@ end
 local function index(number)
   local whole = whole_number(number)
   if whole < 1 or whole > LAST then
-    alarm("variable", "there is no parameter #%d; there are #1 to #%d", whole, LAST)
+    alarm("variable", "unknown parameter #%d; parameters are #1 to #%d", whole, LAST)
   end
   return whole
 end
@@ -66,7 +66,7 @@ parameters.values = setmetatable(values, {
   end,
   __newindex = function(held, number, value)
     local whole = index(number)
-    if computed[whole] then alarm("variable", "#%d is read-only: the control itself sets it", whole) end
+    if computed[whole] then alarm("variable", "#%d is read-only: the controller sets it", whole) end
     rawset(held, whole, value)
   end,
 })
@@ -141,7 +141,7 @@ values[5599] = 1.0   -- debug messages are shown
 local function number_of(value)
   if value == true then return 1 end
   if not value then return 0 end
-  if type(value) ~= "number" then alarm("script", "an expression has a value that is no number") end
+  if type(value) ~= "number" then alarm("script", "an expression has a value that is not a number") end
   return value
 end
 
@@ -171,7 +171,7 @@ end
 
 function env.POW(a, b)
   a, b = number_of(a), number_of(b)
-  if a < 0 and b % 1 ~= 0 then alarm("arithmetic", "%.10g ** %.10g: a negative number has whole powers only", a, b) end
+  if a < 0 and b % 1 ~= 0 then alarm("arithmetic", "%.10g ** %.10g: a negative number needs an integer exponent", a, b) end
   return finite(a ^ b, ("%.10g ** %.10g"):format(a, b))
 end
 
@@ -179,7 +179,7 @@ function env.EXP(a) return finite(math.exp(number_of(a)), "EXP") end
 
 -- Returns the angle of the point (b, a), from -180 to 180.
 function env.ATAN(a, b)
-  if b == nil then alarm("arithmetic", "ATAN takes two sides: ATAN[1]/[2]") end
+  if b == nil then alarm("arithmetic", "ATAN needs two sides: ATAN[1]/[2]") end
   return core.atan_deg(number_of(a), number_of(b))
 end
 
@@ -188,7 +188,7 @@ function env.FUP(a) return math.ceil(number_of(a)) + 0.0 end
 
 -- BIN and BCD belong to other dialects.
 local function unknown(name)
-  return function() alarm("syntax", "%s is no function of RS274/NGC", name) end
+  return function() alarm("syntax", "%s is not a function of RS274/NGC", name) end
 end
 env.BIN, env.BCD = unknown("BIN"), unknown("BCD")
 

@@ -8,16 +8,15 @@
 
 namespace gsim::machine {
 
-tl::expected<MachineData, std::string> read_machine_data(std::string_view text, std::string_view file_name,
-                                                         std::span<const Axis> axes) {
+Result<MachineData> read_machine_data(std::string_view text, std::string_view file_name,
+                                      std::span<const Axis> axes) {
     auto read = read_data_lines(text, file_name, DataRules(axes));
     if (!read) return tl::unexpected(std::move(read.error().front()));
     return std::move(read->data);
 }
 
-tl::expected<MachineData, std::string> load_machine_data(const std::filesystem::path& path,
-                                                         std::span<const Axis> axes,
-                                                         os::NameSource name_source) {
+Result<MachineData> load_machine_data(const std::filesystem::path& path, std::span<const Axis> axes,
+                                      os::NameSource name_source) {
     return os::read_text_file(path, name_source).and_then([&](const std::string& text) {
         return read_machine_data(text, path.string(), axes);
     });

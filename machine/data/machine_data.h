@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/input_file.h"
 #include "machine/model/machine.h"
 #include "machine/model/zone.h"
@@ -57,13 +56,12 @@ struct MachineData {
 /// values are checked and omitted. The error is "file:line:column: message"; `file_name` is only for that.
 /// Aliases that differ only in case are an error, and so are names of fixed points and of reference points.
 /// The lexer decides if their codes are words of the language.
-tl::expected<MachineData, std::string> read_machine_data(std::string_view text, std::string_view file_name,
-                                                         std::span<const Axis> axes = {});
+Result<MachineData> read_machine_data(std::string_view text, std::string_view file_name,
+                                      std::span<const Axis> axes = {});
 
 /// Runs read_machine_data() on a file on disk.
-tl::expected<MachineData, std::string> load_machine_data(
-    const std::filesystem::path& path, std::span<const Axis> axes = {},
-    os::NameSource name_source = os::NameSource::in_file);
+Result<MachineData> load_machine_data(const std::filesystem::path& path, std::span<const Axis> axes = {},
+                                      os::NameSource name_source = os::NameSource::in_file);
 
 /// Returns the data as a separate file, in mm: sections in the order of the documentation, entries by number.
 /// read_machine_data() gives the same data back, as long as further axes have values from the first one of

@@ -15,7 +15,7 @@ std::string joined(const std::vector<DataLine>& lines) {
 }
 
 std::string no_entry(DataSection section, std::string_view id) {
-    return fmt::format("there is no {} {} in the file", keyword(section), printable_word(id));
+    return fmt::format("{} {} does not exist in the file", keyword(section), printable_word(id));
 }
 
 // Returns the message of "x:line:column: message"; line numbers of a rejected change refer to a text that
@@ -29,8 +29,9 @@ std::string format_error(const std::string& error) {
 MachineDataDocument::MachineDataDocument(std::span<const Axis> axes)
     : rules_(axes), lines_(read_data_lines(kEmptyFile, "", rules_)->lines) {}
 
-tl::expected<MachineDataDocument, std::vector<std::string>> MachineDataDocument::read(
-    std::string_view text, std::string_view file_name, std::span<const Axis> axes) {
+tl::expected<MachineDataDocument, std::vector<Error>> MachineDataDocument::read(std::string_view text,
+                                                                                std::string_view file_name,
+                                                                                std::span<const Axis> axes) {
     MachineDataDocument document(axes);
     auto read = read_data_lines(text, file_name, document.rules_);
     if (!read) return tl::unexpected(std::move(read.error()));
@@ -66,9 +67,9 @@ MachineDataDocument::SourceLocation MachineDataDocument::location(DataSection se
 }
 
 template <typename Change>
-MachineDataDocument::EditResult MachineDataDocument::attempt(Change change) {
+Result<void> MachineDataDocument::attempt(Change change) {
     std::vector<DataLine> before = lines_;
-    EditResult changed = change();
+    Result<void> changed = change();
     if (changed) {
         auto read = read_data_lines(joined(lines_), "x", rules_);
         if (read) {
@@ -76,19 +77,18 @@ MachineDataDocument::EditResult MachineDataDocument::attempt(Change change) {
             data_ = std::move(read->data);
             return {};
         }
-        changed = tl::unexpected(format_error(read.error().front()));
+        changed = Unexpected(format_error(read.error().front().message));
     }
     lines_ = std::move(before);
     return changed;
 }
 
-MachineDataDocument::EditResult MachineDataDocument::set(DataSection section, std::string_view id,
-                                                         const FieldValues& values,
-                                                         std::optional<LengthUnit> unit) {
-    return attempt([&]() -> EditResult {
+Result<void> MachineDataDocument::set(DataSection section, std::string_view id, const FieldValues& values,
+                                      std::optional<LengthUnit> unit) {
+    return attempt([&]() -> Result<void> {
         const SectionRules& rules = rules_.of(section);
         if (unit && !rules.has_unit)
-            return tl::unexpected(fmt::format("{} has no lengths, hence no unit", rules.keyword));
+            return Unexpected(fmt::format("{} has no lengths and therefore no unit", rules.keyword));
         auto known = read_id(rules, id);
         if (!known) return tl::unexpected(std::move(known.error()));
         if (const auto line = find_line(section, *known)) {
@@ -103,8 +103,8 @@ MachineDataDocument::EditResult MachineDataDocument::set(DataSection section, st
     });
 }
 
-MachineDataDocument::EditResult MachineDataDocument::erase(DataSection section, std::string_view id) {
-    return attempt([&]() -> EditResult {
+Result<void> MachineDataDocument::erase(DataSection section, std::string_view id) {
+    return attempt([&]() -> Result<void> {
         const auto line = find_line(section, id);
         if (!line) return tl::unexpected(no_entry(section, id));
         erase_line(*line);
@@ -112,37 +112,37 @@ MachineDataDocument::EditResult MachineDataDocument::erase(DataSection section, 
     });
 }
 
-MachineDataDocument::EditResult MachineDataDocument::reset(DataSection section, std::string_view id) {
-    return attempt([&]() -> EditResult {
+Result<void> MachineDataDocument::reset(DataSection section, std::string_view id) {
+    return attempt([&]() -> Result<void> {
         const auto line = find_line(section, id);
         return line ? reset_line(*line) : tl::unexpected(no_entry(section, id));
     });
 }
 
-MachineDataDocument::EditResult MachineDataDocument::reset_all(DataSection section) {
-    return attempt([&]() -> EditResult {
+Result<void> MachineDataDocument::reset_all(DataSection section) {
+    return attempt([&]() -> Result<void> {
         for (std::size_t i = lines_.size(); i-- > 0;) {  // from the end, as lines may go away
             if (lines_[i].kind != DataLine::Kind::entry || lines_[i].section != section) continue;
-            if (EditResult changed = reset_line(i); !changed) return changed;
+            if (Result<void> changed = reset_line(i); !changed) return changed;
         }
         return {};
     });
 }
 
-MachineDataDocument::EditResult MachineDataDocument::convert(LengthUnit unit) {
-    return attempt([&]() -> EditResult {
+Result<void> MachineDataDocument::convert(LengthUnit unit) {
+    return attempt([&]() -> Result<void> {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             if (lines_[i].kind != DataLine::Kind::entry) continue;
-            if (EditResult changed = convert_line(i, unit); !changed) return changed;
+            if (Result<void> changed = convert_line(i, unit); !changed) return changed;
         }
         return {};
     });
 }
 
-MachineDataDocument::EditResult MachineDataDocument::update(const MachineData& data) {
-    return attempt([&]() -> EditResult {
+Result<void> MachineDataDocument::update(const MachineData& data) {
+    return attempt([&]() -> Result<void> {
         for (const DataSection section : kDataSections) {
-            if (EditResult changed = update_section(rules_.of(section), data); !changed) return changed;
+            if (Result<void> changed = update_section(rules_.of(section), data); !changed) return changed;
         }
         return {};
     });

@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "machine/data/machine_data_reader.h"
 
 namespace gsim::machine {
@@ -23,9 +24,9 @@ class MachineDataDocument {
     explicit MachineDataDocument(std::span<const Axis> axes = {});
 
     /// Reads a file; each error is "file:line:column: message", as in read_data_lines().
-    static tl::expected<MachineDataDocument, std::vector<std::string>> read(std::string_view text,
-                                                                            std::string_view file_name,
-                                                                            std::span<const Axis> axes = {});
+    static tl::expected<MachineDataDocument, std::vector<Error>> read(std::string_view text,
+                                                                      std::string_view file_name,
+                                                                      std::span<const Axis> axes = {});
 
     std::string text() const;
     const MachineData& data() const { return data_; }
@@ -47,43 +48,42 @@ class MachineDataDocument {
     /// A field by its (upper case) name, and its new value as it is to be written, in the unit of the entry;
     /// an empty value removes it.
     using FieldValues = std::vector<std::pair<std::string, std::string>>;
-    using EditResult = tl::expected<void, std::string>;
 
     /// Changes an entry, or adds it at the end of its section; missing values are then 0, or no limit. If
     /// `unit` is given and the entry has the other one, its other lengths are converted first.
-    EditResult set(DataSection section, std::string_view id, const FieldValues& values,
-                   std::optional<LengthUnit> unit = {});
+    Result<void> set(DataSection section, std::string_view id, const FieldValues& values,
+                     std::optional<LengthUnit> unit = {});
     /// Removes an entry from the file, with its line.
-    EditResult erase(DataSection section, std::string_view id);
+    Result<void> erase(DataSection section, std::string_view id);
     /// Sets the numbers of an entry to 0. Removes named values, except the name of a point. Removes an alias
     /// or a zone completely.
-    EditResult reset(DataSection section, std::string_view id);
+    Result<void> reset(DataSection section, std::string_view id);
     /// Runs reset() on all entries of a section.
-    EditResult reset_all(DataSection section);
+    Result<void> reset_all(DataSection section);
     /// Writes all lengths in one unit. Their meaning stays the same, to 15 digits.
-    EditResult convert(LengthUnit unit);
+    Result<void> convert(LengthUnit unit);
     /// Changes the file so that it contains these data. Entries keep their units.
-    EditResult update(const MachineData& data);
+    Result<void> update(const MachineData& data);
 
   private:
     // Defined in machine_data_edit.cpp: changes of lines_, without a check of the complete file.
     std::optional<std::size_t> find_line(DataSection section, std::string_view id) const;
     ParsedRow row_at(std::size_t line) const;
-    EditResult edit(std::size_t line, const FieldValues& values);
-    EditResult convert_line(std::size_t line, LengthUnit unit);
-    EditResult add(const SectionRules& rules, DataRow row, const FieldValues& values);
+    Result<void> edit(std::size_t line, const FieldValues& values);
+    Result<void> convert_line(std::size_t line, LengthUnit unit);
+    Result<void> add(const SectionRules& rules, DataRow row, const FieldValues& values);
     std::size_t section_end(DataSection section);
     void insert_line(std::size_t before, std::string text, DataLine::Kind kind, DataSection section);
     void erase_line(std::size_t line);
-    EditResult reset_line(std::size_t line);
+    Result<void> reset_line(std::size_t line);
 
     // Defined in machine_data_update.cpp.
-    EditResult update_section(const SectionRules& rules, const MachineData& data);
-    EditResult update_entry(const SectionRules& rules, const DataRow& before, const DataRow& after);
+    Result<void> update_section(const SectionRules& rules, const MachineData& data);
+    Result<void> update_entry(const SectionRules& rules, const DataRow& before, const DataRow& after);
 
     /// Runs a change of lines_ and reads the result; undoes the change if the file is invalid.
     template <typename Change>
-    EditResult attempt(Change change);
+    Result<void> attempt(Change change);
 
     DataRules rules_;
     std::vector<DataLine> lines_;

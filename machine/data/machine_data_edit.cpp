@@ -35,14 +35,13 @@ bool is_number(const DataField& field) {
     return field.quantity != Quantity::text;
 }
 
-tl::expected<void, std::string> check_words(const DataRow& row) {
+Result<void> check_words(const DataRow& row) {
     const auto invalid = std::find_if(row.values.begin(), row.values.end(), [](const std::string& value) {
         return !value.empty() && !is_data_word(value);
     });
     const std::string& word = invalid == row.values.end() ? row.id : *invalid;
     if (is_data_word(word)) return {};
-    return tl::unexpected(
-        fmt::format("'{}' cannot be written: it is not one word of a line", printable_word(word)));
+    return Unexpected(fmt::format("'{}' cannot be written: it must be a single word", printable_word(word)));
 }
 
 std::string field_names(const SectionRules& rules) {
@@ -53,13 +52,12 @@ std::string field_names(const SectionRules& rules) {
 }
 
 // Writes values into a row by their names.
-tl::expected<void, std::string> merge(const SectionRules& rules, DataRow& row,
-                                      const MachineDataDocument::FieldValues& values) {
+Result<void> merge(const SectionRules& rules, DataRow& row, const MachineDataDocument::FieldValues& values) {
     for (const auto& [name, value] : values) {
         const auto field = rules.find(name);
         if (!field) {
-            return tl::unexpected(fmt::format("{} has no '{}'; it has {}", rules.keyword,
-                                              printable_word(name), field_names(rules)));
+            return Unexpected(fmt::format("{} has no '{}'; it has {}", rules.keyword, printable_word(name),
+                                          field_names(rules)));
         }
         const bool choice = rules.fields[*field].form == FieldForm::choice;
         row.values[*field] = choice ? upper_case(value) : value;
@@ -68,7 +66,7 @@ tl::expected<void, std::string> merge(const SectionRules& rules, DataRow& row,
 }
 
 // Fills the positions before given values in a row: with 0, or no wall.
-tl::expected<void, std::string> fill(const SectionRules& rules, DataRow& row) {
+Result<void> fill(const SectionRules& rules, DataRow& row) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < rules.positional(); ++i) {
         if (rules.fields[i].required || !row.values[i].empty()) count = i + 1;
@@ -79,8 +77,8 @@ tl::expected<void, std::string> fill(const SectionRules& rules, DataRow& row) {
         if (!row.values[i].empty()) continue;
         if (!is_number(field)) return tl::unexpected(std::string(rules.missing_message));
         if (rules.section == DataSection::home && i >= kSpaceAxes) {
-            return tl::unexpected(fmt::format(
-                "a home position needs a value for {} too: its values stand in a row", field.name));
+            return Unexpected(fmt::format(
+                "a home position also needs a value for {}: its values are positional", field.name));
         }
         row.values[i] = std::string(1, field.may_be_unlimited ? '-' : '0');
     }
@@ -181,7 +179,7 @@ ParsedRow MachineDataDocument::row_at(std::size_t line) const {
     return read_row(rules_.of(lines_[line].section), data_words(lines_[line].text)).value();
 }
 
-MachineDataDocument::EditResult MachineDataDocument::edit(std::size_t line, const FieldValues& values) {
+Result<void> MachineDataDocument::edit(std::size_t line, const FieldValues& values) {
     const SectionRules& rules = rules_.of(lines_[line].section);
     const ParsedRow read = row_at(line);
     DataRow requested = read.row;
@@ -190,7 +188,7 @@ MachineDataDocument::EditResult MachineDataDocument::edit(std::size_t line, cons
     });
 }
 
-MachineDataDocument::EditResult MachineDataDocument::convert_line(std::size_t line, LengthUnit unit) {
+Result<void> MachineDataDocument::convert_line(std::size_t line, LengthUnit unit) {
     const SectionRules& rules = rules_.of(lines_[line].section);
     const ParsedRow read = row_at(line);
     if (!rules.has_unit || read.row.unit == unit) return {};
@@ -202,17 +200,16 @@ MachineDataDocument::EditResult MachineDataDocument::convert_line(std::size_t li
         if (!value) continue;
         if (quantity == Quantity::length) requested.values[i] = convert_length(*value, unit);
         if (quantity != Quantity::unknown || *value == 0) continue;
-        return tl::unexpected(fmt::format(
-            "{} {} has values of further axes; whether they are lengths or angles only the machine "
-            "file can tell",
-            rules.keyword, read.row.id));
+        return Unexpected(
+            fmt::format("{} {} has values of further axes; only the machine file defines whether they are "
+                        "lengths or angles",
+                        rules.keyword, read.row.id));
     }
     lines_[line].text = LineChange(rules, lines_[line].text, read).to(requested);
     return {};
 }
 
-MachineDataDocument::EditResult MachineDataDocument::add(const SectionRules& rules, DataRow row,
-                                                         const FieldValues& values) {
+Result<void> MachineDataDocument::add(const SectionRules& rules, DataRow row, const FieldValues& values) {
     row.values.resize(rules.fields.size());
     return merge(rules, row, values).and_then([&] { return fill(rules, row); }).map([&] {
         const std::size_t before = section_end(rules.section);
@@ -256,7 +253,7 @@ void MachineDataDocument::erase_line(std::size_t line) {
     lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
 }
 
-MachineDataDocument::EditResult MachineDataDocument::reset_line(std::size_t line) {
+Result<void> MachineDataDocument::reset_line(std::size_t line) {
     const SectionRules& rules = rules_.of(lines_[line].section);
     if (rules.section == DataSection::alias || rules.holds_zones) {
         erase_line(line);

@@ -36,7 +36,7 @@ class DataReader {
   public:
     DataReader(std::string_view file_name, const DataRules& rules) : file_name_(file_name), rules_(rules) {}
 
-    tl::expected<ParsedData, std::vector<std::string>> read(std::string_view text) {
+    tl::expected<ParsedData, std::vector<Error>> read(std::string_view text) {
         read_.lines = split_lines(text);
         for (DataLine& line : read_.lines) {
             ++number_;
@@ -52,7 +52,8 @@ class DataReader {
   private:
     /// Keeps the first error of a line.
     void fail(std::size_t column, std::string_view message) {
-        if (!has_error_) errors_.push_back(fmt::format("{}:{}:{}: {}", file_name_, number_, column, message));
+        if (!has_error_)
+            errors_.emplace_back(fmt::format("{}:{}:{}: {}", file_name_, number_, column, message));
         has_error_ = true;
     }
 
@@ -71,7 +72,7 @@ class DataReader {
 
     void read_line(DataLine& line) {
         if (const std::size_t nul = line.text.find('\0'); nul != std::string::npos)
-            return fail_fatally(nul + 1, "there is a NUL byte; the file is no text");
+            return fail_fatally(nul + 1, "the file contains a NUL byte; it must be a text file");
         words_ = data_words(line.text);
         if (words_.empty()) return;
         const DataWord& first = words_[0];
@@ -80,11 +81,11 @@ class DataReader {
             expect_single_word();
             begun_ = true;
         } else if (ended_) {
-            fail_fatally(first.column, "there is text behind ENDFILE");
+            fail_fatally(first.column, "text after ENDFILE is not allowed");
         } else if (const auto section = find_section(first.text)) {
             begin_section(line, *section);
         } else if (first.text == "NCFILE") {
-            fail(first.column, "NCFILE may stand in the first line only");
+            fail(first.column, "NCFILE is only allowed in the first line");
         } else if (first.text == "ENDFILE") {
             expect_single_word();
             ended_ = true;
@@ -98,7 +99,7 @@ class DataReader {
 
     void expect_single_word() {
         if (words_.size() < 2) return;
-        fail(words_[1].column, fmt::format("'{}' is one word too many", printable_word(words_[1].text)));
+        fail(words_[1].column, fmt::format("'{}' is an extra word", printable_word(words_[1].text)));
     }
 
     void begin_section(DataLine& line, DataSection section) {
@@ -113,9 +114,9 @@ class DataReader {
     // Entries that are not in the file have their default values, as indicated by the dots of a printed file.
     void leave_out(DataLine& line) {
         if (!section_ || words_.size() > 1 || words_[0].text != kEllipsis) {
-            return fail(words_[0].column,
-                        "'...' stands for entries left out of a section: alone in its line, behind the "
-                        "section's keyword");
+            return fail(
+                words_[0].column,
+                "'...' marks omitted entries of a section: alone in its line, after the section's keyword");
         }
         line.kind = DataLine::Kind::left_out;
         line.section = *section_;
@@ -134,7 +135,7 @@ class DataReader {
         check_unique(data_key(*section_, read->row.id),
                      fmt::format("the {} {}", rules.what, printable_word(first.text)));
         check_unique_name(rules, *read);
-        if (!has_error_) add_row(read_.data, rules, read->row, rules_.axes_known());
+        if (!has_error_) add_row(read_.data, rules, read->row, rules_.has_known_axes());
     }
 
     void check_unique_name(const SectionRules& rules, const ParsedRow& read) {
@@ -156,7 +157,7 @@ class DataReader {
         for (const DataSection section : kDataSections) known.push_back(keyword(section));
         const auto nearest = text::nearest_name(first.text, known);
         fail(first.column,
-             fmt::format("'{}' is no keyword; a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, "
+             fmt::format("'{}' is not a keyword; a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, "
                          "VARIABLE, ALIAS, SECURITY or WORKING{}",
                          printable_word(first.text),
                          nearest ? fmt::format("; did you mean {}?", *nearest) : std::string()));
@@ -183,14 +184,14 @@ class DataReader {
     std::optional<DataSection> section_;
     std::map<std::string, std::size_t> first_lines_;
     ParsedData read_;
-    std::vector<std::string> errors_;
+    std::vector<Error> errors_;
 };
 
 }  // namespace
 
-tl::expected<ParsedData, std::vector<std::string>> read_data_lines(std::string_view text,
-                                                                   std::string_view file_name,
-                                                                   const DataRules& rules) {
+tl::expected<ParsedData, std::vector<Error>> read_data_lines(std::string_view text,
+                                                             std::string_view file_name,
+                                                             const DataRules& rules) {
     return DataReader(file_name, rules).read(text);
 }
 

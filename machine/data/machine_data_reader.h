@@ -31,8 +31,8 @@ struct ParsedData {
 
 /// Reads a complete file. Each error is "file:line:column: message", at most one per line and 100 in total,
 /// in the order of the lines.
-tl::expected<ParsedData, std::vector<std::string>> read_data_lines(std::string_view text,
-                                                                   std::string_view file_name,
-                                                                   const DataRules& rules);
+tl::expected<ParsedData, std::vector<Error>> read_data_lines(std::string_view text,
+                                                             std::string_view file_name,
+                                                             const DataRules& rules);
 
 }  // namespace gsim::machine

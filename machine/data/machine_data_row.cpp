@@ -48,9 +48,9 @@ class RowReader {
         read_.field_word_index.resize(rules.fields.size());
     }
 
-    tl::expected<ParsedRow, DataError> read() {
+    Result<ParsedRow> read() {
         const auto id = read_id(rules_, words_[0].text);
-        if (!id) return make_error(0, id.error());
+        if (!id) return make_error(0, id.error().message);
         read_.row.id = *id;
         for (std::size_t i = 1; i < words_.size() && !error_; ++i) read_word(i);
         if (!error_) check_required();
@@ -61,16 +61,20 @@ class RowReader {
     }
 
   private:
-    tl::unexpected<DataError> make_error(std::size_t word, std::string message) {
-        return tl::unexpected(DataError{words_[word].column, std::move(message)});
+    Error error_at(std::size_t word, std::string message) const {
+        return {std::move(message), 0, static_cast<std::uint32_t>(words_[word].column)};
+    }
+
+    Unexpected make_error(std::size_t word, std::string message) {
+        return tl::unexpected(error_at(word, std::move(message)));
     }
 
     void fail(std::size_t word, std::string message) {
-        if (!error_) error_ = DataError{words_[word].column, std::move(message)};
+        if (!error_) error_ = error_at(word, std::move(message));
     }
 
     void fail_extra_word(std::size_t word) {
-        fail(word, fmt::format("'{}' is one word too many", printable_word(words_[word].text)));
+        fail(word, fmt::format("'{}' is an extra word", printable_word(words_[word].text)));
     }
 
     void read_word(std::size_t word) {
@@ -105,7 +109,7 @@ class RowReader {
     void read_named(std::size_t word, const std::string& name) {
         const auto field = rules_.find(name);
         if (!field || rules_.fields[*field].form != FieldForm::named_field) {
-            return fail(word, fmt::format("{} has no value of the name '{}'", with_article(rules_.what),
+            return fail(word, fmt::format("{} has no value with the name '{}'", with_article(rules_.what),
                                           printable_word(name)));
         }
         set_field(*field, word, std::string(words_[word].text.substr(name.size() + 1)));
@@ -114,26 +118,26 @@ class RowReader {
     void read_positional(std::size_t word) {
         if (position_ < rules_.positional()) {
             if (word != position_ + 1) {
-                return fail(word, fmt::format("'{}' stands too late: values come before other words",
+                return fail(word, fmt::format("'{}' is too late: values come before other words",
                                               printable_word(words_[word].text)));
             }
             return set_field(position_++, word, std::string(words_[word].text));
         }
         if (!rules_.holds_points) return fail_extra_word(word);
-        fail(word, fmt::format("there are more values than axes; behind X, Y and Z this machine has {}",
+        fail(word, fmt::format("there are more values than axes; after X, Y and Z this machine has {}",
                                rules_.positional() - 3));
     }
 
     void set_field(std::size_t field, std::size_t word, std::string value) {
         if (read_.field_word_index[field]) return fail_extra_word(word);
         read_.field_word_index[field] = word;
-        if (const auto message = value_error(rules_.fields[field], value)) return fail(word, *message);
+        if (const auto error = value_error(rules_.fields[field], value)) return fail(word, error->message);
         read_.row.values[field] = std::move(value);
     }
 
-    static std::optional<std::string> value_error(const DataField& field, std::string_view value) {
+    static std::optional<Error> value_error(const DataField& field, std::string_view value) {
         if (field.is_name && !is_name(value)) {
-            return fmt::format("'{}' is no name: a letter first, then letters, digits and '_'",
+            return fmt::format("'{}' is not a valid name: a letter first, then letters, digits and '_'",
                                printable_word(value));
         }
         if (field.quantity == Quantity::text || (field.may_be_unlimited && value == kNoLimit))
@@ -141,7 +145,7 @@ class RowReader {
         if (field.quantity == Quantity::integer) {
             const auto number = parse_number<int>(value);
             if (number && *number >= field.min && *number <= field.max) return std::nullopt;
-            return fmt::format("{} is a whole number from {} to {}, not '{}'", field.name, field.min,
+            return fmt::format("{} must be an integer from {} to {}, not '{}'", field.name, field.min,
                                field.max, printable_word(value));
         }
         const auto number = parse_number<double>(value);
@@ -163,7 +167,7 @@ class RowReader {
             if (!read_.field_word_index[i] || std::abs(read_.row.number(rules_, i)) <= kMaxValue) continue;
             const bool inch = mm_per_unit(rules_.fields[i], read_.row.unit) != 1;
             fail(*read_.field_word_index[i],
-                 fmt::format("{} is not between -1e9 and 1e9{}", printable_word(read_.row.values[i]),
+                 fmt::format("{} must be between -1e9 and 1e9{}", printable_word(read_.row.values[i]),
                              inch ? " mm" : ""));
         }
     }
@@ -177,25 +181,25 @@ class RowReader {
         for (std::size_t low = 0; low < 6 && !error_; low += 2) {
             const DataField& field = rules_.fields[low];
             if (is_open(low) != is_open(low + 1)) {
-                return fail(0, fmt::format("{0}min and {0}max are both numbers, or both '-' (no walls there)",
+                return fail(0, fmt::format("{0}min and {0}max must both be numbers, or both '-' (no limits)",
                                            field.name[0]));
             }
             if (is_open(low)) continue;
             any = true;
             if (read_.row.number(rules_, low) < read_.row.number(rules_, low + 1)) continue;
             fail(*read_.field_word_index[low],
-                 fmt::format("{0}min is {1} and {0}max is {2}; the first must be less", field.name[0],
+                 fmt::format("{0}min is {1} and {0}max is {2}; min must be less than max", field.name[0],
                              printable_word(read_.row.values[low]),
                              printable_word(read_.row.values[low + 1])));
         }
-        if (!any) fail(0, "a zone needs its two walls on one axis at least");
+        if (!any) fail(0, "a zone needs its two limits on at least one axis");
     }
 
     const SectionRules& rules_;
     std::span<const DataWord> words_;
     ParsedRow read_;
     std::size_t position_ = 0;
-    std::optional<DataError> error_;
+    std::optional<Error> error_;
 };
 
 }  // namespace
@@ -204,7 +208,7 @@ double DataRow::number(const SectionRules& rules, std::size_t field) const {
     return parse_number<double>(values[field]).value_or(0) * mm_per_unit(rules.fields[field], unit);
 }
 
-tl::expected<ParsedRow, DataError> read_row(const SectionRules& rules, std::span<const DataWord> words) {
+Result<ParsedRow> read_row(const SectionRules& rules, std::span<const DataWord> words) {
     return RowReader(rules, words).read();
 }
 
@@ -219,22 +223,22 @@ std::optional<std::string> name_key(const SectionRules& rules, const DataRow& ro
     return fmt::format("{} NAME={}", rules.keyword, upper_case(row.values[*field]));
 }
 
-tl::expected<std::string, std::string> read_id(const SectionRules& rules, std::string_view word) {
+Result<std::string> read_id(const SectionRules& rules, std::string_view word) {
     if (rules.section == DataSection::alias) return std::string(word);
     if (rules.section == DataSection::offset) {
         if (is_offset_code(word)) return std::string(word);
-        return tl::unexpected(fmt::format(
-            "'{}' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599", printable_word(word)));
+        return Unexpected(fmt::format("'{}' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599",
+                                      printable_word(word)));
     }
     const auto number = parse_number<int>(word);
     if (!number || *number < 1 || *number > kMaxNumber) {
-        return tl::unexpected(fmt::format("'{}' is not the number of {}, 1 to {}", printable_word(word),
-                                          with_article(rules.what), kMaxNumber));
+        return Unexpected(fmt::format("'{}' is not a valid number of {}, 1 to {}", printable_word(word),
+                                      with_article(rules.what), kMaxNumber));
     }
     if (rules.section == DataSection::home && (*number < 2 || *number > 4))
-        return tl::unexpected(std::string("home positions are 2 to 4; the first one is in the machine file"));
+        return Unexpected("home positions are 2 to 4; the first is in the machine file");
     if (rules.section == DataSection::working && *number != 1)
-        return tl::unexpected(std::string("there is one working zone; its number is 1"));
+        return Unexpected("there is only one working zone; its number is 1");
     return std::to_string(*number);
 }
 

@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "machine/data/machine_data_sections.h"
 #include "machine/data/machine_data_words.h"
 
@@ -30,12 +31,6 @@ struct DataRow {
     double number(const SectionRules& rules, std::size_t field) const;
 };
 
-/// Error in a line, and its position.
-struct DataError {
-    std::size_t column = 1;
-    std::string message;
-};
-
 /// A line read as an entry, and the assignment of its words to fields.
 struct ParsedRow {
     DataRow row;
@@ -43,8 +38,9 @@ struct ParsedRow {
     std::optional<std::size_t> unit_word_index;
 };
 
-/// Reads the words of a line, at least one. Does not detect duplicates.
-tl::expected<ParsedRow, DataError> read_row(const SectionRules& rules, std::span<const DataWord> words);
+/// Reads the words of a line, at least one. Does not detect duplicates. The error has the column, but not the
+/// line.
+Result<ParsedRow> read_row(const SectionRules& rules, std::span<const DataWord> words);
 
 /// Returns the search key of an entry; equal sections and entries have one key. Names of aliases count
 /// without regard to case.
@@ -55,7 +51,7 @@ std::string data_key(DataSection section, std::string_view id);
 std::optional<std::string> name_key(const SectionRules& rules, const DataRow& row);
 
 /// Returns the entry's number, code or name as in keys and messages, or its error, as a message.
-tl::expected<std::string, std::string> read_id(const SectionRules& rules, std::string_view word);
+Result<std::string> read_id(const SectionRules& rules, std::string_view word);
 
 /// Returns a line for an entry, without indentation and end.
 std::string row_line(const SectionRules& rules, const DataRow& row);

@@ -72,7 +72,7 @@ std::vector<DataField> point_fields(std::string_view point, std::span<const Axis
     }
     for (int number = 4; axes.empty() && number <= kMaxPointAxes; ++number) {
         fields.push_back(positional(fmt::format("AXIS{}", number), Quantity::unknown,
-                                    meaning(fmt::format("the machine's axis {}", number))));
+                                    meaning(fmt::format("axis {} of the machine", number))));
     }
     return fields;
 }
@@ -80,16 +80,16 @@ std::vector<DataField> point_fields(std::string_view point, std::span<const Axis
 std::vector<DataField> tool_fields(std::span<const Axis> axes) {
     std::vector<DataField> fields{required("LENGTH", Quantity::length, "length along Z"),
                                   required("DIAMETER", Quantity::length, "diameter"),
-                                  named_field("LENGTH_WEAR", Quantity::length, "is added to the length"),
-                                  named_field("DIAMETER_WEAR", Quantity::length, "is added to the diameter")};
+                                  named_field("LENGTH_WEAR", Quantity::length, "added to the length"),
+                                  named_field("DIAMETER_WEAR", Quantity::length, "added to the diameter")};
     for (const char letter : {'X', 'Y', 'A', 'B', 'C', 'U', 'V', 'W'})
         fields.push_back(
             named_field({letter}, to_quantity(letter, axes), fmt::format("offset along axis {}", letter)));
     fields.push_back(named_field("FRONT", Quantity::angle, "front angle of a turning tool"));
     fields.push_back(named_field("BACK", Quantity::angle, "back angle of a turning tool"));
     fields.push_back(named_integer("ORIENTATION", 0, kMaxOrientation,
-                                   "which way the edge of a turning tool looks, 0 to 9"));
-    fields.push_back(choice("KIND", {"", "CUTTER", "JET"}, "CUTTER or JET; empty: not said"));
+                                   "orientation of the edge of a turning tool, 0 to 9"));
+    fields.push_back(choice("KIND", {"", "CUTTER", "JET"}, "CUTTER or JET; empty: not specified"));
     return fields;
 }
 
@@ -97,10 +97,9 @@ std::vector<DataField> wall_fields() {
     std::vector<DataField> fields;
     for (const char letter : {'X', 'Y', 'Z'}) {
         for (const bool lower : {true, false}) {
-            DataField field =
-                required(fmt::format("{}{}", letter, lower ? "MIN" : "MAX"), Quantity::length,
-                         fmt::format("{} wall on axis {}, in machine coordinates; - where there is none",
-                                     lower ? "lower" : "upper", letter));
+            DataField field = required(fmt::format("{}{}", letter, lower ? "MIN" : "MAX"), Quantity::length,
+                                       fmt::format("{} limit on axis {}, in machine coordinates; - for none",
+                                                   lower ? "lower" : "upper", letter));
             field.required = letter != 'Z';
             field.may_be_unlimited = true;
             fields.push_back(std::move(field));
@@ -123,14 +122,14 @@ SectionRules points(std::string_view title, std::string_view what, std::string_v
 
 SectionRules named_points(std::string_view title, std::string_view what, std::span<const Axis> axes) {
     SectionRules rules = points(title, what, kNumberRange, "the point", axes);
-    DataField name = named_field("NAME", Quantity::text, "what scripts call it: letters, digits and _");
+    DataField name = named_field("NAME", Quantity::text, "its name in scripts: letters, digits and _");
     name.is_name = true;
     rules.fields.push_back(std::move(name));
     return rules;
 }
 
 constexpr std::string_view kMissingWalls =
-    "a zone has its number and its walls: Xmin, Xmax, Ymin, Ymax, and perhaps Zmin and Zmax";
+    "a zone needs its number and its limits: Xmin, Xmax, Ymin, Ymax, and optionally Zmin and Zmax";
 
 SectionRules zones(std::string_view title, std::string_view what, std::string_view ids) {
     return {.title = title,
@@ -145,17 +144,18 @@ SectionRules zones(std::string_view title, std::string_view what, std::string_vi
 SectionRules security_zones() {
     SectionRules rules = zones("Security zones", "security zone", kNumberRange);
     rules.fields.push_back(
-        choice("KIND", {"ENTER", "LEAVE"}, "ENTER: the tool must not enter it; LEAVE: it must not leave it"));
-    rules.fields.push_back(choice("STATE", {"ON", "OFF"}, "OFF: not in force at the start"));
+        choice("KIND", {"ENTER", "LEAVE"},
+               "ENTER: the tool must not enter the zone; LEAVE: the tool must not leave it"));
+    rules.fields.push_back(choice("STATE", {"ON", "OFF"}, "OFF: not active at the start"));
     rules.fields.push_back(
-        named_integer("SWITCH", 1, kMaxSwitch, "the number by which programs switch it, 1 to 99"));
+        named_integer("SWITCH", 1, kMaxSwitch, "the number that programs switch it by, 1 to 99"));
     return rules;
 }
 
 SectionRules section_rules(DataSection section, std::span<const Axis> axes) {
     switch (section) {
         case DataSection::offset:
-            return points("Frames", "frame", "54 to 59, 59.1 to 59.3, 505 to 599", "the frame's origin",
+            return points("Frames", "frame", "54 to 59, 59.1 to 59.3, 505 to 599", "the origin of the frame",
                           axes);
         case DataSection::fixed: return named_points("Fixed points", "fixed point", axes);
         case DataSection::reference: return named_points("Reference points", "reference point", axes);
@@ -165,21 +165,21 @@ SectionRules section_rules(DataSection section, std::span<const Axis> axes) {
             return {.title = "Tools",
                     .what = "tool",
                     .ids = kNumberRange,
-                    .missing_message = "a tool has its number, its length and its diameter",
+                    .missing_message = "a tool needs its number, its length and its diameter",
                     .has_unit = true,
                     .fields = tool_fields(axes)};
         case DataSection::variable:
             return {.title = "Variables",
                     .what = "variable",
                     .ids = kNumberRange,
-                    .missing_message = "a variable has its number and its value",
+                    .missing_message = "a variable needs its number and its value",
                     .fields = {required("VALUE", Quantity::plain, "value at the start")}};
         case DataSection::alias:
             return {.title = "Aliases",
                     .what = "alias",
                     .ids = "a name",
-                    .missing_message = "an alias has its name and its code",
-                    .fields = {required("CODE", Quantity::text, "the code it stands for")}};
+                    .missing_message = "an alias needs its name and its code",
+                    .fields = {required("CODE", Quantity::text, "the code that it replaces")}};
         case DataSection::security: return security_zones();
         case DataSection::working: break;
     }
@@ -208,7 +208,7 @@ std::size_t SectionRules::positional() const {
     }));
 }
 
-DataRules::DataRules(std::span<const Axis> axes) : axes_known_(!axes.empty()) {
+DataRules::DataRules(std::span<const Axis> axes) : has_known_axes_(!axes.empty()) {
     for (const DataSection section : kDataSections) {
         SectionRules& rules = sections_[static_cast<std::size_t>(section)];
         rules = section_rules(section, axes);

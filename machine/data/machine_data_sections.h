@@ -80,11 +80,11 @@ class DataRules {
     explicit DataRules(std::span<const Axis> axes = {});
 
     const SectionRules& of(DataSection section) const { return sections_[static_cast<std::size_t>(section)]; }
-    bool axes_known() const { return axes_known_; }
+    bool has_known_axes() const { return has_known_axes_; }
 
   private:
     std::array<SectionRules, kDataSections.size()> sections_;
-    bool axes_known_ = false;
+    bool has_known_axes_ = false;
 };
 
 std::string_view keyword(DataSection section);

@@ -45,8 +45,7 @@ bool is_same_value(const SectionRules& rules, const DataField& field, const std:
 
 }  // namespace
 
-MachineDataDocument::EditResult MachineDataDocument::update_section(const SectionRules& rules,
-                                                                    const MachineData& data) {
+Result<void> MachineDataDocument::update_section(const SectionRules& rules, const MachineData& data) {
     const RowsByKey before = rows_by_key(rules, section_rows(data_, rules));
     const RowsByKey after = rows_by_key(rules, section_rows(data, rules));
     for (const auto& [key, row] : before) {
@@ -54,16 +53,15 @@ MachineDataDocument::EditResult MachineDataDocument::update_section(const Sectio
     }
     for (const DataRow& row : section_rows(data, rules)) {
         const auto known = before.find(data_key(rules.section, row.id));
-        EditResult changed =
+        Result<void> changed =
             known == before.end() ? add(rules, row, {}) : update_entry(rules, known->second, row);
         if (!changed) return changed;
     }
     return {};
 }
 
-MachineDataDocument::EditResult MachineDataDocument::update_entry(const SectionRules& rules,
-                                                                  const DataRow& before,
-                                                                  const DataRow& after) {
+Result<void> MachineDataDocument::update_entry(const SectionRules& rules, const DataRow& before,
+                                               const DataRow& after) {
     FieldValues changed;
     for (std::size_t i = 0; i < rules.fields.size(); ++i) {
         if (!is_same_value(rules, rules.fields[i], before.values[i], after.values[i]))

@@ -44,10 +44,10 @@ class RowWriter {
     DataRow row_;
 };
 
-AxisValues axis_values(const SectionRules& rules, const DataRow& row, bool axes_known) {
+AxisValues axis_values(const SectionRules& rules, const DataRow& row, bool has_known_axes) {
     AxisValues values;
     for (std::size_t i = 0; i < rules.positional(); ++i) {
-        if (i >= kSpaceAxes && (row.values[i].empty() || !axes_known)) break;
+        if (i >= kSpaceAxes && (row.values[i].empty() || !has_known_axes)) break;
         values[rules.fields[i].name[0]] = row.number(rules, i);
     }
     return values;
@@ -205,19 +205,19 @@ std::vector<DataRow> zone_rows(const MachineData& data, const SectionRules& rule
 
 }  // namespace
 
-void add_row(MachineData& data, const SectionRules& rules, const DataRow& row, bool axes_known) {
+void add_row(MachineData& data, const SectionRules& rules, const DataRow& row, bool has_known_axes) {
     const int number = id_number(row.id);
     switch (rules.section) {
-        case DataSection::offset: data.offsets[row.id] = axis_values(rules, row, axes_known); break;
+        case DataSection::offset: data.offsets[row.id] = axis_values(rules, row, has_known_axes); break;
         case DataSection::fixed:
-            data.fixed[number] = axis_values(rules, row, axes_known);
+            data.fixed[number] = axis_values(rules, row, has_known_axes);
             add_name(data.fixed_names, number, rules, row);
             break;
         case DataSection::reference:
-            data.references[number] = axis_values(rules, row, axes_known);
+            data.references[number] = axis_values(rules, row, has_known_axes);
             add_name(data.reference_names, number, rules, row);
             break;
-        case DataSection::home: data.homes[number] = axis_values(rules, row, axes_known); break;
+        case DataSection::home: data.homes[number] = axis_values(rules, row, has_known_axes); break;
         case DataSection::tool: data.tools[number] = make_tool(rules, row); break;
         case DataSection::variable: data.variables[number] = row.number(rules, 0); break;
         case DataSection::alias: data.aliases[row.id] = row.values[0]; break;

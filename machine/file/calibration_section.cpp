@@ -30,8 +30,8 @@ void read_calibrated(FirstError& error, const toml::table& table, std::size_t co
     const auto row = read_numbers(section, table, "covariance_percent2",
                                   "a list, one number for each [[calibrated]]", {count});
     if (section.has("of") && section.has("key") && !parameter_value(parameter_id, machine)) {
-        section.fail("key", fmt::format("{} is no figure that can be calibrated: 'of' is letters of axes, "
-                                        "\"path\", \"controller\" or \"times\", and 'key' one of theirs",
+        section.fail("key", fmt::format("{} cannot be calibrated: 'of' must be axis letters, \"path\", "
+                                        "\"controller\" or \"times\", and 'key' one of their keys",
                                         parameter_name(parameter_id)));
     }
     calibration.parameters.push_back(std::move(parameter_id));
@@ -60,7 +60,7 @@ void read_calibration(FirstError& error, TomlSection& file, Machine& machine) {
     if (!section) {
         if (file.has("calibrated"))
             file.fail("calibrated",
-                      "[[calibrated]] tells how figures were fitted, and there is no [calibration]");
+                      "[[calibrated]] describes a fit of parameters, but [calibration] is missing");
         return;
     }
     Calibration calibration;
@@ -73,8 +73,8 @@ void read_calibration(FirstError& error, TomlSection& file, Machine& machine) {
     if (error.text()) return;
     if (!parameters.empty() && !is_covariance(calibration.covariance_percent2))
         file.fail("calibrated",
-                  "the rows 'covariance_percent2' are no covariance: they should be symmetric, "
-                  "without negative spread of any combination");
+                  "the rows 'covariance_percent2' are not a covariance: they must be symmetric and positive "
+                  "semidefinite");
     machine.calibration = std::move(calibration);
 }
 
@@ -93,18 +93,19 @@ void print_calibration(TomlWriter& out, const Calibration& calibration) {
 std::vector<TableSchema> calibration_schema() {
     return {
         {.at = {"calibration"},
-         .meaning = "that figures were fitted to recorded runs, and how well",
+         .meaning = "fit of parameters to recorded runs, and its quality",
          .keys = {number_key("runs", {.min = 1, .max = 100000, .integer_only = true}, "1",
-                             "how many they were fitted to"),
+                             "number of runs that were used for the fit"),
                   number_key("left_percent", kNotNegative, "0.0",
-                             "of the times of runs, what the fit leaves, as a standard deviation")}},
+                             "remaining error of the run times after the fit, as a standard deviation")}},
         {.at = {"calibrated"},
          .many = true,
-         .meaning = "a figure that was fitted",
-         .keys = {required(text_key("of", "", "letters of axes, path, controller or times")),
-                  required(text_key("key", "", "which of theirs")),
-                  required(list_key("covariance_percent2", KeyKind::number, 0,
-                                    "of the logarithms of this figure and each other one, in percent"))}}};
+         .meaning = "a parameter that was fitted",
+         .keys = {required(text_key("of", "", "axis letters, path, controller or times")),
+                  required(text_key("key", "", "the key of the parameter")),
+                  required(list_key(
+                      "covariance_percent2", KeyKind::number, 0,
+                      "covariance of the logarithms of this parameter and each other one, in percent"))}}};
 }
 
 }  // namespace gsim::machine

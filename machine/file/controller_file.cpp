@@ -26,7 +26,7 @@ std::string unknown_model(std::string_view model) {
     const std::vector<std::string_view> known = built_in_controllers();
     const auto nearest = text::nearest_name(model, known);
     return fmt::format(
-        "unknown controller {}; {}built in are {}; the name of a file of one's own ends in .toml",
+        "unknown controller {}; {}built-in controllers are {}; the name of a controller file ends in .toml",
         base::toml_string(model),
         nearest ? fmt::format("did you mean {}? ", base::toml_string(*nearest)) : std::string(),
         text::joined(known, ", "));
@@ -41,18 +41,18 @@ struct CustomFiles {
 rrs::ControllerRules read_custom_file(TomlSection& section, const std::string& model,
                                       const CustomFiles& local_files) {
     if (!text::is_printable(model)) {
-        section.fail(kModelKey, "'model' must not hold control characters");
+        section.fail(kModelKey, "'model' must not contain control characters");
         return {};
     }
     const std::filesystem::path path = local_files.folder / model;
     const auto text = local_files.files.read_text(path);
     if (!text) {
-        section.fail(kModelKey, text.error());
+        section.fail(kModelKey, text.error().message);
         return {};
     }
     auto rules = read_controller(*text, path.string(), model);
     if (rules) return *std::move(rules);
-    section.adopt_error(std::move(rules).error());
+    section.add_file_error(std::move(rules).error().message);
     return {};
 }
 
@@ -73,9 +73,8 @@ rrs::ControllerRules read_model(TomlSection& section, const CustomFiles* local_f
 
 }  // namespace
 
-tl::expected<rrs::ControllerRules, std::string> read_controller(std::string_view toml_text,
-                                                                std::string_view file_name,
-                                                                std::string model) {
+Result<rrs::ControllerRules> read_controller(std::string_view toml_text, std::string_view file_name,
+                                             std::string model) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     TomlSection file(error, root, "a controller file", kControllerFileKeys);

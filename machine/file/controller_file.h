@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/files.h"
 #include "controller/services/controller_rules.h"
 
@@ -21,9 +20,8 @@ namespace gsim::machine {
 /// Reads a controller file (docs/machine-file.md) as strictly as machine files. The error is
 /// "file:line:column: message"; `file_name` is only for that. `model` is the name of the rules if the file
 /// gives none.
-tl::expected<rrs::ControllerRules, std::string> read_controller(std::string_view toml_text,
-                                                                std::string_view file_name,
-                                                                std::string model);
+Result<rrs::ControllerRules> read_controller(std::string_view toml_text, std::string_view file_name,
+                                             std::string model);
 
 /// Returns the names of the controllers that are compiled in, those of samples/controllers.
 std::vector<std::string_view> built_in_controllers();

@@ -12,10 +12,11 @@ using base::NumberRule;
 using base::TomlSection;
 
 struct DriveKeys {
-    std::string_view coulomb, viscous, rotor, counterweight, peak, continuous, curve_speeds, curve_peaks;
+    std::string_view coulomb_friction, viscous, rotor, counterweight, peak, continuous, curve_speeds,
+        curve_peaks;
 
     std::vector<std::string_view> all() const {
-        return {coulomb, viscous, rotor, counterweight, peak, continuous, curve_speeds, curve_peaks};
+        return {coulomb_friction, viscous, rotor, counterweight, peak, continuous, curve_speeds, curve_peaks};
     }
 };
 
@@ -43,20 +44,21 @@ void read_curve(TomlSection& axis, const toml::table& table, const DriveKeys& ke
     const std::string_view missing_message = speeds ? keys.curve_peaks : keys.curve_speeds;
     if (!axis.has(missing_message)) {
         axis.fail(speeds ? keys.curve_speeds : keys.curve_peaks,
-                  fmt::format("a curve of the motor is '{}' and '{}', and '{}' is missing", keys.curve_speeds,
+                  fmt::format("a motor curve needs '{}' and '{}', but '{}' is missing", keys.curve_speeds,
                               keys.curve_peaks, missing_message));
         return;
     }
     if (!speeds || !peaks) return;
     if (speeds->size() != peaks->size() || speeds->empty()) {
         axis.fail(keys.curve_peaks,
-                  fmt::format("'{}' must be as many as '{}', one at least; they are {} and {}",
-                              keys.curve_peaks, keys.curve_speeds, peaks->size(), speeds->size()));
+                  fmt::format(
+                      "'{}' and '{}' must have the same number of values, at least one; they have {} and {}",
+                      keys.curve_peaks, keys.curve_speeds, peaks->size(), speeds->size()));
         return;
     }
     if (!rises_from_zero(*speeds)) {
         axis.fail(keys.curve_speeds,
-                  fmt::format("'{}' must be speeds from 0 up, each above the one before", keys.curve_speeds));
+                  fmt::format("'{}' must be speeds from 0 up, in ascending order", keys.curve_speeds));
         return;
     }
     for (const double peak : *peaks) {
@@ -79,7 +81,7 @@ Drive read_drive(TomlSection& axis, const toml::table& table, AxisKind kind) {
     const DriveKeys& keys = drive_keys_of_kind(kind);
     const Drive none;
     Drive drive;
-    drive.coulomb = axis.number(keys.coulomb, 0, NumberRule::not_negative);
+    drive.coulomb_friction = axis.number(keys.coulomb_friction, 0, NumberRule::not_negative);
     drive.viscous = axis.number(keys.viscous, 0, NumberRule::not_negative);
     drive.rotor = axis.number(keys.rotor, 0, NumberRule::not_negative);
     drive.counterweight = axis.number(keys.counterweight, 0, NumberRule::finite);
@@ -95,7 +97,7 @@ void print_drive(base::TomlWriter& out, const Axis& axis) {
     const auto number = [&](std::string_view key, double value) {
         if (value != 0) out.number(key, value);
     };
-    number(keys.coulomb, drive.coulomb);
+    number(keys.coulomb_friction, drive.coulomb_friction);
     number(keys.viscous, drive.viscous);
     number(keys.rotor, drive.rotor);
     number(keys.counterweight, drive.counterweight);

@@ -20,7 +20,7 @@ constexpr std::array kMassKeys{"on"sv, "mass_kg"sv, "centre_mm"sv, "inertia_kg_m
 constexpr std::array kHoseKeys{
     "on"sv, "point_mm"sv, "anchor_mm"sv, "free_length_mm"sv, "stiffness_n_per_mm"sv, "drag_n_per_mm_s"sv};
 constexpr std::string_view kInertiaMeaning =
-    "[xx, yy, zz] or [xx, yy, zz, xy, yz, zx] of the inertia tensor about the centre";
+    "[xx, yy, zz] or [xx, yy, zz, xy, yz, zx] of the inertia tensor about the centre of mass";
 
 // Names of AccelerationLimit in its order.
 constexpr std::array kLimits{"axes"sv, "torque"sv};
@@ -54,7 +54,7 @@ std::array<double, 6> read_inertia(TomlSection& section, const toml::table& tabl
     Eigen::Matrix3d tensor;
     tensor << xx, xy, zx, xy, yy, yz, zx, yz, zz;
     if (const auto error = dynamics::find_inertia_error(tensor))
-        section.fail("inertia_kg_m2", fmt::format("'inertia_kg_m2' is of no body: {}", *error));
+        section.fail("inertia_kg_m2", fmt::format("'inertia_kg_m2' is not valid for a body: {}", *error));
     return inertia;
 }
 
@@ -85,7 +85,7 @@ HoseTable read_hose(FirstError& error, const toml::table& table, const Machine& 
 /// Checks that no key specifies forces if forces are not computed.
 void check_without_dynamics(TomlSection& file, const Machine& machine) {
     const auto fail = [&](std::string_view key, std::string_view what) {
-        file.fail(key, fmt::format("{} is for forces and torques, and there is no [dynamics]", what));
+        file.fail(key, fmt::format("{} is for forces and torques, but [dynamics] is missing", what));
     };
     if (file.has("mass")) fail("mass", "[[mass]]");
     if (file.has("hose")) fail("hose", "[[hose]]");

@@ -49,14 +49,14 @@ class GroupReader {
     std::string read_name(TomlSection& section) {
         std::string name = section.text("name");
         if (!is_group_name(name)) {
-            section.fail("name", "'name' must be letters, digits and _, and begin with no digit");
+            section.fail("name", "'name' must be letters, digits and _, and must not begin with a digit");
         } else if (std::find(kPoseComponents.begin(), kPoseComponents.end(), name) != kPoseComponents.end()) {
             section.fail("name",
-                         fmt::format("'{}' is a part of a pose; a group has a name of its own", name));
+                         fmt::format("'{}' is a component of a pose; a group needs another name", name));
         }
         const auto same = [&](const AxisGroup& other) { return other.name == name; };
         if (std::any_of(machine_.groups.begin(), machine_.groups.end(), same))
-            section.fail("name", fmt::format("there are two groups '{}'; each has a name of its own", name));
+            section.fail("name", fmt::format("two groups have the name '{}'; names must be unique", name));
         return name;
     }
 
@@ -64,16 +64,16 @@ class GroupReader {
         if (section.require("axes") == nullptr) return;
         const toml::array* letters = table.get_as<toml::array>("axes");
         if (letters == nullptr || letters->empty())
-            return section.fail("axes", "'axes' must be a list of letters of axes, such as [\"C\"]");
+            return section.fail("axes", "'axes' must be a list of axis letters, such as [\"C\"]");
         for (const toml::node& node : *letters) read_axis(node, group);
         const auto carries = [&](std::size_t axis) { return machine_.axes[axis].carries; };
         const bool differ = std::any_of(group.axes.begin(), group.axes.end(), [&](std::size_t axis) {
             return carries(axis) != carries(group.axes.front());
         });
         if (differ)
-            section.fail("axes",
-                         "some of these axes carry the tool and some the work; a group carries the one "
-                         "or the other");
+            section.fail(
+                "axes",
+                "some of these axes carry the tool and some the work; a group must carry only one of them");
     }
 
     void read_axis(const toml::node& node, AxisGroup& group) {
@@ -84,13 +84,13 @@ class GroupReader {
             std::string letters;
             for (const Axis& one : machine_.axes) letters += fmt::format(" {}", one.letter);
             return error_.report(where,
-                                 fmt::format("'axes' must hold letters of axes of this machine:{}", letters));
+                                 fmt::format("'axes' must contain axis letters of this machine:{}", letters));
         }
         for (const AxisGroup& other : machine_.groups) {
             if (std::find(other.axes.begin(), other.axes.end(), *axis) == other.axes.end()) continue;
             return error_.report(
-                where, fmt::format("axis {} is in the group '{}' already; it is in one at most", *letter,
-                                   other.name));
+                where, fmt::format("axis {} is already in the group '{}'; it may be in only one group",
+                                   *letter, other.name));
         }
         if (std::find(group.axes.begin(), group.axes.end(), *axis) != group.axes.end())
             return error_.report(where, fmt::format("axis {} is given twice", *letter));
@@ -100,8 +100,8 @@ class GroupReader {
     void check_motion(TomlSection& section, const AxisGroup& group) {
         if (group.motion != GroupMotion::coordinated || machine_.inverse == InverseKind::numeric) return;
         section.fail("motion",
-                     "'motion = \"coordinated\"' needs 'inverse = \"numeric\"'; where X, Y and Z carry "
-                     "the tip, G43.4 coordinates all axes");
+                     "'motion = \"coordinated\"' needs 'inverse = \"numeric\"'; if X, Y and Z carry the TCP, "
+                     "G43.4 coordinates all axes");
     }
 
     FirstError& error_;
@@ -123,7 +123,8 @@ void read_groups(FirstError& error, TomlSection& file, Machine& machine) {
         grouped_axes += machine.groups.back().axes.size();
     }
     if (machine.inverse == InverseKind::numeric && grouped_axes == machine.axes.size())
-        file.fail("group", "all axes are in groups; those that move the tool to a pose are in none");
+        file.fail("group",
+                  "all axes are in groups; the axes that move the tool to a pose must not be in a group");
 }
 
 void print_groups(TomlWriter& out, const Machine& machine) {

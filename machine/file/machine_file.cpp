@@ -50,7 +50,7 @@ constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 struct AxisKeys {
     std::string_view title;
     std::string_view min, max, max_speed, max_acceleration, max_deceleration, max_jerk, max_speed_step, step;
-    std::array<std::string_view, kHomes> homes;
+    std::array<std::string_view, kHomeCount> homes;
     std::string_view zero;
     std::string_view turning;  ///< Empty if an axis of the kind has no such key.
 
@@ -137,8 +137,8 @@ char read_letter(TomlSection& section) {
 
 void check_in_range(TomlSection& section, std::string_view key, const Axis& axis, double value) {
     if (value >= axis.min && value <= axis.max) return;
-    section.fail(
-        key, fmt::format("'{}' is {}, outside of the axis's range {} .. {}", key, value, axis.min, axis.max));
+    section.fail(key,
+                 fmt::format("'{}' is {}, outside the axis range {} .. {}", key, value, axis.min, axis.max));
 }
 
 void check_range(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
@@ -165,16 +165,17 @@ void read_homes(TomlSection& section, const AxisKeys& keys, Axis& axis) {
 void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
     const bool carries_nothing = axis.carries == CarriedPart::none;
     if (carries_nothing && axis.kind == AxisKind::rotary)
-        section.fail("carries", "'carries = \"nothing\"' is of linear axes alone");
+        section.fail("carries", "'carries = \"nothing\"' is only for linear axes");
     if (!carries_nothing && !section.has("frame") && !section.has("direction") && !section.has("dh")) {
-        section.fail("dh", fmt::format("{} lacks one of the keys 'direction', 'frame' and 'dh', which tell "
-                                       "how its joint lies",
-                                       section.title()));
+        section.fail(
+            "dh",
+            fmt::format("{} needs one of the keys 'direction', 'frame' and 'dh', which define its joint",
+                        section.title()));
     }
     if (section.has("direction") && section.has("dh"))
         section.fail(
             "direction",
-            fmt::format("{} has both 'dh' and 'direction'; one tells where its joint is", section.title()));
+            fmt::format("{} has both 'dh' and 'direction'; only one may define its joint", section.title()));
     if (section.has("direction"))
         axis.direction = static_cast<AxisDirection>(section.choice("direction", 0, kDirectionNames));
     if (section.has("frame")) axis.frame = read_frame(error, section.table("frame"), "'frame'");
@@ -184,9 +185,8 @@ void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
 RotaryMode read_rotary_mode(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
     const auto turning = static_cast<RotaryMode>(section.choice("turning", 0, kRotaryModeNames));
     if (turning == RotaryMode::unwind && (std::isfinite(axis.min) || std::isfinite(axis.max))) {
-        section.fail("turning",
-                     fmt::format("an axis that unwinds turns on without end; leave out '{}' and '{}'",
-                                 keys.min, keys.max));
+        section.fail("turning", fmt::format("an axis that unwinds turns without limit; remove '{}' and '{}'",
+                                            keys.min, keys.max));
     }
     return turning;
 }
@@ -274,18 +274,18 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     read_dynamics(error, file, machine);
     read_calibration(error, file, machine);
     if (error.text()) return machine;
-    if (const auto message = find_kinematic_error(machine)) section.fail("inverse", *message);
+    if (const auto found = find_kinematic_error(machine)) section.fail("inverse", found->message);
     if (error.text()) return machine;
-    if (const auto message = find_controller_error(machine)) file.fail("controller", *message);
-    if (const auto message = find_torque_limit_error(machine)) file.fail("dynamics", *message);
-    if (const auto message = find_servo_error(machine)) file.fail("axis", *message);
+    if (const auto found = find_controller_error(machine)) file.fail("controller", found->message);
+    if (const auto found = find_torque_limit_error(machine)) file.fail("dynamics", found->message);
+    if (const auto found = find_servo_error(machine)) file.fail("axis", found->message);
     return machine;
 }
 
 }  // namespace
 
-tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
-                                                const os::Files& files, std::vector<std::string>* errors) {
+Result<Machine> read_machine(std::string_view toml_text, std::string_view file_name, const os::Files& files,
+                             std::vector<std::string>* errors) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path(), files);
@@ -294,8 +294,8 @@ tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std:
     return machine;
 }
 
-tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path, os::NameSource name_source,
-                                                const os::Files& files) {
+Result<Machine> load_machine(const std::filesystem::path& path, os::NameSource name_source,
+                             const os::Files& files) {
     return files.read_text(path, name_source).and_then([&](const std::string& text) {
         return read_machine(text, path.string(), files);
     });

@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/files.h"
 #include "machine/model/machine.h"
 
@@ -16,14 +15,13 @@ namespace gsim::machine {
 /// "file:line:column: message". `file_name` is for that, and for a custom controller file and the meshes of
 /// shapes, which are searched in the folder of the machine file. Meshes are only checked for existence; they
 /// are not read. `files` has them. `faults`, if given, receives all errors, the first one first.
-tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
-                                                const os::Files& files = os::disk(),
-                                                std::vector<std::string>* errors = nullptr);
+Result<Machine> read_machine(std::string_view toml_text, std::string_view file_name,
+                             const os::Files& files = os::disk(), std::vector<std::string>* errors = nullptr);
 
 /// Runs read_machine() on a file.
-tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path,
-                                                os::NameSource name_source = os::NameSource::in_file,
-                                                const os::Files& files = os::disk());
+Result<Machine> load_machine(const std::filesystem::path& path,
+                             os::NameSource name_source = os::NameSource::in_file,
+                             const os::Files& files = os::disk());
 
 /// Returns a machine file that read_machine() reads back as an equal machine, if it accepts this one at all.
 /// Meshes have their full path in it, so that it may be in any folder.

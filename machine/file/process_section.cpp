@@ -23,7 +23,7 @@ constexpr std::array kProcessKeys{"kind"sv, "on"sv, "off"sv};
 constexpr std::array kProcessKinds{"jet"sv, "plasma"sv, "laser"sv,
                                    "spindle"sv};  // in the order of ProcessKind
 // The longest dwell of each kind; a jet may take long to pierce.
-constexpr std::array kDefaultDwells_s{60.0, 5.0, 10.0, std::numeric_limits<double>::infinity()};
+constexpr std::array kDefaultMaxDwells_s{60.0, 5.0, 10.0, std::numeric_limits<double>::infinity()};
 
 struct CheckKey {
     std::string_view name;
@@ -68,10 +68,9 @@ std::optional<SwitchWord> switch_word(std::string_view text) {
 }
 
 void fail_word(TomlSection& section, std::string_view key, const std::string& text) {
-    section.fail(
-        key, fmt::format("'{}' holds \"{}\", which is no M code, such as \"M8\", nor one with the words that "
-                         "must stand with it, such as \"M62 P0\"",
-                         key, text));
+    section.fail(key, fmt::format("'{}' contains \"{}\", which is not an M code, such as \"M8\", or an M "
+                                  "code with its required words, such as \"M62 P0\"",
+                                  key, text));
 }
 
 std::vector<SwitchWord> read_words(TomlSection& section, std::string_view key) {
@@ -102,7 +101,7 @@ std::vector<SwitchWord> read_words(TomlSection& section, std::string_view key) {
 void check_distinct(TomlSection& section, const Process& process) {
     for (const SwitchWord& word : process.on) {
         if (std::find(process.off.begin(), process.off.end(), word) == process.off.end()) continue;
-        section.fail("off", fmt::format("{} is in 'on' and in 'off'", word.text()));
+        section.fail("off", fmt::format("{} is both in 'on' and in 'off'", word.text()));
         return;
     }
 }
@@ -146,7 +145,7 @@ std::optional<Process> read_process(FirstError& error, TomlSection& file) {
     if (table == nullptr) {
         if (checks != nullptr)
             file.fail("checks",
-                      "[checks] looks at the machine's process, and there is no [process] that tells it");
+                      "[checks] checks the machine's process, but there is no [process] that defines it");
         return std::nullopt;
     }
     TomlSection section(error, *table, "[process]", kProcessKeys);
@@ -156,7 +155,7 @@ std::optional<Process> read_process(FirstError& error, TomlSection& file) {
     process.on = read_words(section, "on");
     process.off = read_words(section, "off");
     check_distinct(section, process);
-    process.checks.dwell_s = kDefaultDwells_s[static_cast<std::size_t>(process.kind)];
+    process.checks.dwell_s = kDefaultMaxDwells_s[static_cast<std::size_t>(process.kind)];
     read_checks(error, checks, process.checks);
     return process;
 }

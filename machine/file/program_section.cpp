@@ -29,7 +29,7 @@ ProgramTable read_program_section(FirstError& error, const toml::table* table) {
     TomlSection section(error, *table, "[program]", kProgramKeys);
     if (section.has("dialect")) program.dialect = section.text("dialect");
     if (section.has("dialect") && program.dialect.empty())
-        section.fail("dialect", "'dialect' is empty; leave it out where nothing is to be said");
+        section.fail("dialect", "'dialect' is empty; remove it if no dialect is specified");
     if (section.has("units"))
         program.units = static_cast<ProgramUnits>(section.choice("units", 0, kUnitNames));
     return program;
@@ -43,8 +43,7 @@ void print_program_section(TomlWriter& out, const ProgramTable& program) {
         out.line("units", base::toml_string(kUnitNames[static_cast<std::size_t>(*program.units)]));
 }
 
-tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml_text,
-                                                           std::string_view file_name) {
+Result<ProgramTable> read_program_table(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     const toml::node* node = root.get("program");

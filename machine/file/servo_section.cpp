@@ -64,13 +64,13 @@ void print_servo(base::TomlWriter& out, const Axis& axis) {
     }
 }
 
-std::optional<std::string> find_servo_error(const Machine& machine) {
-    const double gain_1_s = machine.controller.position_gain_1_s;
+std::optional<Error> find_servo_error(const Machine& machine) {
+    const double gain_1_s = machine.controller.position_loop.gain_1_s;
     if (gain_1_s >= kMinGain_1_s) return std::nullopt;
     for (const Axis& axis : machine.axes) {
         if (!axis.servo || axis.servo->position_gain_1_s > 0) continue;
         return fmt::format(
-            "axis {} has a servo loop without a gain: it needs '{}', 1 or greater, or else [controller] does",
+            "the servo loop of axis {} has no gain: set '{}', 1 or greater, for the axis or in [controller]",
             axis.letter, kGainKey);
     }
     return std::nullopt;

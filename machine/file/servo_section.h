@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "base/toml/toml_section.h"
 #include "base/toml/toml_writer.h"
 #include "machine/model/machine.h"
@@ -21,7 +22,7 @@ std::optional<Servo> read_servo(base::TomlSection& axis);
 
 void print_servo(base::TomlWriter& out, const Axis& axis);
 
-/// Returns why the servo loops of a machine are invalid, as a message; nothing if they are valid.
-std::optional<std::string> find_servo_error(const Machine& machine);
+/// Returns an error if the servo loops of a machine are invalid.
+std::optional<Error> find_servo_error(const Machine& machine);
 
 }  // namespace gsim::machine

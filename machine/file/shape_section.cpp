@@ -62,9 +62,9 @@ std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesy
         return std::nullopt;
     }
     const std::filesystem::path path = folder / name;
-    const std::optional<std::string> error = files.find_error(path);
+    const std::optional<Error> error = files.find_error(path);
     if (!error) return MeshShape{path, scale, tolerance_mm};
-    section.fail("mesh", fmt::format("{}: {}", path.string(), *error));
+    section.fail("mesh", fmt::format("{}: {}", path.string(), error->message));
     return std::nullopt;
 }
 
@@ -86,7 +86,7 @@ std::optional<ShapeForm> read_box(TomlSection& section, const toml::table& table
 std::optional<ShapeForm> read_sphere(TomlSection& section) {
     const double diameter = section.number("sphere_mm", 1, NumberRule::positive);
     if (diameter <= kMaxLength_mm) return SphereShape{diameter};
-    section.fail("sphere_mm", "'sphere_mm' is a diameter of at most 1e6");
+    section.fail("sphere_mm", "'sphere_mm' must be a diameter of at most 1e6");
     return std::nullopt;
 }
 
@@ -100,10 +100,9 @@ std::optional<ShapeForm> read_shape(FirstError& error, TomlSection& section, con
     TomlSection shape(error, shape_table, "'shape'", kFormKeys);
     const std::size_t more = (shape.has("scale") ? 1U : 0U) + (shape.has("tolerance_mm") ? 1U : 0U);
     if (shape_table.size() != more + 1 || (more > 0 && !shape.has("mesh"))) {
-        section.fail(
-            "shape",
-            "'shape' must hold one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh; beside mesh "
-            "there may be scale and tolerance_mm");
+        section.fail("shape",
+                     "'shape' must contain one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh; with "
+                     "mesh it may also contain scale and tolerance_mm");
         return std::nullopt;
     }
     if (shape.has("box_mm")) return read_box(shape, shape_table);
@@ -128,14 +127,14 @@ std::vector<std::pair<std::size_t, std::size_t>> read_ignored(
         const toml::array* pair = node.as_array();
         const auto name = [&](std::size_t i) { return pair->get(i)->value<std::string_view>(); };
         if (pair == nullptr || pair->size() != 2 || !name(0) || !name(1)) {
-            error.report(node.source().begin, "'ignore' must hold pairs of names: [[\"A\", \"B\"]]");
+            error.report(node.source().begin, "'ignore' must contain pairs of names: [[\"A\", \"B\"]]");
             return ignored;
         }
         const auto first = find(*name(0));
         const auto second = find(*name(1));
         if (!first || !second) {
             error.report(node.source().begin,
-                         fmt::format("no object or shape is called '{}'", first ? *name(1) : *name(0)));
+                         fmt::format("no object or shape has the name '{}'", first ? *name(1) : *name(0)));
             return ignored;
         }
         ignored.emplace_back(*first, *second);

@@ -15,8 +15,6 @@ namespace gsim::import {
 
 namespace {
 
-using VoidResult = tl::expected<void, std::string>;
-
 constexpr std::string_view kGrblModel = "grbl-1.1";
 constexpr std::string_view kLetters = "XYZABC";
 constexpr std::size_t kMinAxes = 3;
@@ -70,7 +68,7 @@ class GrblDump {
   public:
     explicit GrblDump(std::string_view file_name) : file_name_(file_name) {}
 
-    VoidResult read(std::string_view text) {
+    Result<void> read(std::string_view text) {
         std::size_t at = 0;
         for (int number = 1; at < text.size(); ++number) {
             const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -84,23 +82,23 @@ class GrblDump {
             } else if (line.starts_with('[')) {
                 points_.push_back({std::string(line), number});
             } else {
-                return tl::unexpected(fmt::format("{}:{}: '{}' is no line of what grbl answers to $$ and $#",
-                                                  file_name_, number, line));
+                return Unexpected(fmt::format("{}:{}: '{}' is not a line of grbl's output for $$ and $#",
+                                              file_name_, number, line));
             }
         }
         return {};
     }
 
-    tl::expected<ImportResult, std::string> release() {
+    Result<ImportResult> release() {
         result_.machine.name = "grbl";
         result_.machine.inverse = machine::InverseKind::gantry;
         result_.machine.program.dialect = "grbl";
-        if (VoidResult done = import_axes(); !done) return tl::unexpected(done.error());
+        if (Result<void> done = import_axes(); !done) return tl::unexpected(done.error());
         if (result_.machine.axes.size() > kMinAxes) result_.machine.inverse = machine::InverseKind::none;
         import_planner();
         report_unit_mm_ = value(kReportInches).value_or(0) != 0 ? kMmPerInch : 1;
         for (const Point& point : points_) {
-            if (VoidResult done = import_point(point); !done) return tl::unexpected(done.error());
+            if (Result<void> done = import_point(point); !done) return tl::unexpected(done.error());
         }
         for (const auto& [number, setting] : settings_) {
             if (!setting.is_used) result_.left_out.push_back(setting.line);
@@ -118,21 +116,21 @@ class GrblDump {
 
     bool has(int number) const { return settings_.find(number) != settings_.end(); }
 
-    VoidResult import_axes() {
+    Result<void> import_axes() {
         for (std::size_t i = 0; i < kLetters.size(); ++i) {
             if (i >= kMinAxes && !has(kSpeed + static_cast<int>(i))) break;
-            if (VoidResult done = import_axis(i); !done) return done;
+            if (Result<void> done = import_axis(i); !done) return done;
         }
         if (value(kHoming).value_or(0) == 0) {
             result_.warnings.emplace_back(
-                "$130 to $132 are not taken over as ranges: without homing ($22=0) zero is where the machine "
-                "was switched on");
+                "$130 to $132 are not imported as ranges: without homing ($22=0) zero is the position at "
+                "switch-on");
         }
         value(kHomingDirection);
         return {};
     }
 
-    VoidResult import_axis(std::size_t index) {
+    Result<void> import_axis(std::size_t index) {
         const int number = static_cast<int>(index);
         const bool rotary = index >= kMinAxes;
         machine::Axis axis;
@@ -151,13 +149,13 @@ class GrblDump {
         return {};
     }
 
-    VoidResult missing_message(int number, char letter) const {
+    Result<void> missing_message(int number, char letter) const {
         const auto found = settings_.find(number);
         if (found == settings_.end())
-            return tl::unexpected(
-                fmt::format("{}: ${}, which axis {} needs, is not there", file_name_, number, letter));
-        return tl::unexpected(fmt::format("{}:{}: ${}, which axis {} needs, is not above 0", file_name_,
-                                          found->second.line_number, number, letter));
+            return Unexpected(
+                fmt::format("{}: ${} is missing; axis {} needs it", file_name_, number, letter));
+        return Unexpected(fmt::format("{}:{}: ${}, which axis {} needs, must be greater than 0", file_name_,
+                                      found->second.line_number, number, letter));
     }
 
     // After homing, machine coordinates run from minus the travel to 0, whichever end the switch is at.
@@ -178,12 +176,14 @@ class GrblDump {
     void import_planner() {
         rrs::ControllerRules& rules = result_.machine.controller;
         rules = machine::built_in_controller(kGrblModel).value();
-        rules.junction_deviation_mm = value(kJunctionDeviation).value_or(rules.junction_deviation_mm);
-        rules.arc_chord_tolerance_mm = value(kArcTolerance).value_or(rules.arc_chord_tolerance_mm);
+        rules.corners.junction_deviation_mm =
+            value(kJunctionDeviation).value_or(rules.corners.junction_deviation_mm);
+        rules.curves.arc_chord_tolerance_mm =
+            value(kArcTolerance).value_or(rules.curves.arc_chord_tolerance_mm);
     }
 
     // Reads "[G54:4.000,0.000,0.000]".
-    VoidResult import_point(const Point& given) {
+    Result<void> import_point(const Point& given) {
         const std::string& line = given.line;
         const std::size_t colon = line.find(':');
         const std::string name = line.substr(1, std::min(colon, line.size()) - 1);
@@ -196,8 +196,8 @@ class GrblDump {
         }
         const auto values = point_values(std::string_view(line).substr(colon + 1));
         if (!values) {
-            return tl::unexpected(fmt::format("{}:{}: '{}' has no numbers for its axes, parted by commas",
-                                              file_name_, given.line_number, line));
+            return Unexpected(fmt::format("{}:{}: '{}' must have numbers for its axes, separated by commas",
+                                          file_name_, given.line_number, line));
         }
         result_.has_data = true;
         if (system) {
@@ -246,7 +246,7 @@ bool is_grbl_dump(std::string_view text) {
     return false;
 }
 
-tl::expected<ImportResult, std::string> import_grbl(std::string_view text, std::string_view file_name) {
+Result<ImportResult> import_grbl(std::string_view text, std::string_view file_name) {
     GrblDump dump(file_name);
     return dump.read(text).and_then([&] { return dump.release(); });
 }

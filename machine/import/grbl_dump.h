@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "machine/import/import_result.h"
 
 namespace gsim::import {
@@ -15,6 +14,6 @@ bool is_grbl_dump(std::string_view text);
 /// Reads the response of grbl 1.1 (or a relative with the same numbers) to `$$`: steps, speeds,
 /// accelerations, travels, junction deviation and arc tolerance. If present, it also reads the lines of `$#`:
 /// work coordinate systems, G28, G30, G92. The error is "file:line: message".
-tl::expected<ImportResult, std::string> import_grbl(std::string_view text, std::string_view file_name);
+Result<ImportResult> import_grbl(std::string_view text, std::string_view file_name);
 
 }  // namespace gsim::import

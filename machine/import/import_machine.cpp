@@ -32,9 +32,8 @@ bool is_controller_file(std::string_view text, const std::filesystem::path& path
     return text::lower(path.extension().string()) != ".toml" && is_grbl_dump(text);
 }
 
-tl::expected<ImportResult, std::string> import_machine(std::string_view text,
-                                                       const std::filesystem::path& path,
-                                                       const os::Files& files) {
+Result<ImportResult> import_machine(std::string_view text, const std::filesystem::path& path,
+                                    const os::Files& files) {
     auto imported = is_ini(path) ? import_linuxcnc(text, path, files) : import_grbl(text, path.string());
     if (!imported) return imported;
     // A planner cannot use values that a machine file may not contain.
@@ -42,23 +41,23 @@ tl::expected<ImportResult, std::string> import_machine(std::string_view text,
     return imported;
 }
 
-tl::expected<std::string, std::string> machine_toml(const ImportResult& imported,
-                                                    const std::filesystem::path& path) {
+Result<std::string> machine_toml(const ImportResult& imported, const std::filesystem::path& path) {
     std::string toml = remark(fmt::format("Made from {}.", path.filename().string()));
     if (!imported.warnings.empty()) toml += "#\n";
     for (const std::string& warning : imported.warnings) toml += remark(warning);
-    if (!imported.left_out.empty()) toml += "#\n# Not taken over:\n";
+    if (!imported.left_out.empty()) toml += "#\n# Not imported:\n";
     for (const std::string& name : imported.left_out) toml += remark("  " + name);
     toml += '\n' + machine::print_machine(imported.machine);
     constexpr std::string_view kName = "machine";
     const auto machine = machine::read_machine(toml, kName);
     if (machine) return toml;
     // Its line numbers refer to a file that no user has seen.
-    const std::string message = machine.error().substr(machine.error().find(": ") + 2);
-    return tl::unexpected(fmt::format("{}: its settings make no machine: {}", path.string(), message));
+    const std::string message = machine.error().message.substr(machine.error().message.find(": ") + 2);
+    return Unexpected(
+        fmt::format("{}: its settings do not make a valid machine: {}", path.string(), message));
 }
 
-tl::expected<std::string, std::string> machine_data_text(const ImportResult& imported) {
+Result<std::string> machine_data_text(const ImportResult& imported) {
     machine::MachineDataDocument document(imported.machine.axes);
     return document.update(imported.data).map([&] { return document.text(); });
 }

@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/files.h"
 #include "machine/import/import_result.h"
 
@@ -18,16 +17,14 @@ bool is_controller_file(std::string_view text, const std::filesystem::path& path
 /// Reads the settings of a controller, with the files of offsets and tools that they name, which are searched
 /// in the folder of `path`. The error is a message with its source location. Settings that no machine file
 /// can hold are an error, too.
-tl::expected<ImportResult, std::string> import_machine(std::string_view text,
-                                                       const std::filesystem::path& path,
-                                                       const os::Files& files = os::disk());
+Result<ImportResult> import_machine(std::string_view text, const std::filesystem::path& path,
+                                    const os::Files& files = os::disk());
 
 /// Returns a machine file of it. Remarks in it give its source and the settings that are not taken over. The
 /// error is a message: values that no machine file can hold.
-tl::expected<std::string, std::string> machine_toml(const ImportResult& imported,
-                                                    const std::filesystem::path& path);
+Result<std::string> machine_toml(const ImportResult& imported, const std::filesystem::path& path);
 
-/// Returns its offsets, tools and variables as machine data (NCFILE). The error is a message.
-tl::expected<std::string, std::string> machine_data_text(const ImportResult& imported);
+/// Returns its offsets, tools and variables as machine data (NCFILE).
+Result<std::string> machine_data_text(const ImportResult& imported);
 
 }  // namespace gsim::import

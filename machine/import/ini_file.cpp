@@ -79,41 +79,41 @@ double remove_rounding_noise(double value) {
     return std::round(value * kStepsPerUnit) / kStepsPerUnit;
 }
 
-tl::expected<IniFile, std::string> IniFile::read(std::string_view text, const std::filesystem::path& path,
-                                                 const os::Files& files) {
+Result<IniFile> IniFile::read(std::string_view text, const std::filesystem::path& path,
+                              const os::Files& files) {
     IniFile file;
     file.file_name_ = path.string();
     std::string section;
     return file.add(text, path, {files, section, 0}).map([&] { return std::move(file); });
 }
 
-IniFile::VoidResult IniFile::add(std::string_view text, const std::filesystem::path& path,
-                                 const IncludeContext& in) {
+Result<void> IniFile::add(std::string_view text, const std::filesystem::path& path,
+                          const IncludeContext& in) {
     LineReader lines(text);
     while (lines.next()) {
         const std::string_view line = lines.line();
         if (line.empty() || line.front() == ';') continue;
         const auto make_error = [&](std::string_view message) {
-            return tl::unexpected(fmt::format("{}:{}: {}", path.string(), lines.number(), message));
+            return Unexpected(fmt::format("{}:{}: {}", path.string(), lines.number(), message));
         };
         if (line.starts_with(kInclude)) {
             const std::string_view name = trimmed_text(line.substr(kInclude.size()));
-            if (VoidResult done =
+            if (Result<void> done =
                     add_included(name, path.parent_path(), {in.files, in.section, in.depth + 1});
                 !done)
-                return make_error(done.error());
+                return make_error(done.error().message);
             continue;
         }
         if (line.front() == '#') continue;
         if (line.front() == '[') {
             const std::size_t end = line.find(']');
-            if (end == std::string_view::npos) return make_error("the section's name has no ']'");
+            if (end == std::string_view::npos) return make_error("the section name has no ']'");
             in.section = trimmed_text(line.substr(1, end - 1));
             continue;
         }
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos)
-            return make_error("a line is [SECTION], KEY = VALUE or a remark");
+            return make_error("a line must be [SECTION], KEY = VALUE or a comment");
         entries_.push_back({.file = path.string(),
                             .section = in.section,
                             .key = std::string(trimmed_text(line.substr(0, equals))),
@@ -123,12 +123,12 @@ IniFile::VoidResult IniFile::add(std::string_view text, const std::filesystem::p
     return {};
 }
 
-IniFile::VoidResult IniFile::add_included(std::string_view name, const std::filesystem::path& folder,
-                                          const IncludeContext& in) {
+Result<void> IniFile::add_included(std::string_view name, const std::filesystem::path& folder,
+                                   const IncludeContext& in) {
     if (in.depth > kMaxIncludes)
-        return tl::unexpected(fmt::format("files are included more than {} deep", kMaxIncludes));
+        return Unexpected(fmt::format("files are included more than {} deep", kMaxIncludes));
     if (++include_count_ > kMaxFiles)
-        return tl::unexpected(fmt::format("more than {} files are included", kMaxFiles));
+        return Unexpected(fmt::format("more than {} files are included", kMaxFiles));
     const std::filesystem::path path = folder / name;
     return in.files.read_text(path).and_then([&](const std::string& text) { return add(text, path, in); });
 }
@@ -153,14 +153,13 @@ std::optional<std::string> IniFile::text(std::string_view section, std::string_v
     return entry->value;
 }
 
-tl::expected<std::optional<double>, std::string> IniFile::number(std::string_view section,
-                                                                 std::string_view key) {
+Result<std::optional<double>> IniFile::number(std::string_view section, std::string_view key) {
     const IniEntry* entry = find(section, key);
     if (entry == nullptr) return std::nullopt;
     const std::optional<double> value = parse_number_text(entry->value);
     if (value) return value;
     return tl::unexpected(
-        at(*entry, fmt::format("{} is '{}', which is no number", entry->key, entry->value)));
+        at(*entry, fmt::format("{} is '{}', which is not a number", entry->key, entry->value)));
 }
 
 std::string IniFile::at(const IniEntry& entry, std::string_view message) const {

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/files.h"
 
 namespace gsim::import {
@@ -29,8 +28,8 @@ class IniFile {
   public:
     /// Reads a file. `path` is for errors, and for files that `#INCLUDE NAME` inserts, which are searched in
     /// its folder. The error is "file:line: message".
-    static tl::expected<IniFile, std::string> read(std::string_view text, const std::filesystem::path& path,
-                                                   const os::Files& files);
+    static Result<IniFile> read(std::string_view text, const std::filesystem::path& path,
+                                const os::Files& files);
 
     const std::string& file_name() const { return file_name_; }
     bool has_section(std::string_view section) const;
@@ -39,22 +38,21 @@ class IniFile {
     std::optional<std::string> text(std::string_view section, std::string_view key);
     /// Returns a number, or nothing if the entry does not exist. A value that is not a number is an error,
     /// "file:line: message".
-    tl::expected<std::optional<double>, std::string> number(std::string_view section, std::string_view key);
+    Result<std::optional<double>> number(std::string_view section, std::string_view key);
     /// Returns "file:line: message".
     std::string at(const IniEntry& entry, std::string_view message) const;
     const std::vector<IniEntry>& entries() const { return entries_; }
 
   private:
-    using VoidResult = tl::expected<void, std::string>;
     /// Position of an included file.
     struct IncludeContext {
         const os::Files& files;
         std::string& section;
         int depth;
     };
-    VoidResult add(std::string_view text, const std::filesystem::path& path, const IncludeContext& in);
-    VoidResult add_included(std::string_view name, const std::filesystem::path& folder,
-                            const IncludeContext& in);
+    Result<void> add(std::string_view text, const std::filesystem::path& path, const IncludeContext& in);
+    Result<void> add_included(std::string_view name, const std::filesystem::path& folder,
+                              const IncludeContext& in);
 
     std::string file_name_;
     std::vector<IniEntry> entries_;

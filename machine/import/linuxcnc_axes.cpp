@@ -22,7 +22,7 @@ constexpr double kUnlimited = 1e9;                       // what LinuxCNC has fo
 constexpr double kDefaultSpeed = 1;  // units/s, if an [AXIS_..] gives no MAX_VELOCITY or MAX_ACCELERATION
 
 template <typename T>
-using Read = tl::expected<T, std::string>;
+using Read = Result<T>;
 
 bool is_letter(char c) {
     return kJointLetters.find(c) != std::string_view::npos;
@@ -57,11 +57,10 @@ Read<std::string> joint_letters(IniFile& ini) {
     const std::string_view value = entry->value;
     const std::size_t blank = std::min(value.find_first_of(" \t"), value.size());
     if (value.substr(0, blank) != kTrivialKinematics) {
-        return tl::unexpected(ini.at(
-            *entry,
-            fmt::format("the kinematics '{}' cannot be imported, only trivkins; write a machine file with "
-                        "its frames, and take the limits from here",
-                        value.substr(0, blank))));
+        return tl::unexpected(
+            ini.at(*entry, fmt::format("the kinematics '{}' cannot be imported, only trivkins; write a "
+                                       "machine file with its frames and copy the limits from here",
+                                       value.substr(0, blank))));
     }
     const std::size_t coordinates = text::lower(value).find("coordinates=");
     if (coordinates == std::string::npos) return std::string(kJointLetters);
@@ -85,7 +84,8 @@ Read<double> read_unit(IniFile& ini, std::string_view key, std::initializer_list
         if (name == unit.name) return unit.size;
         names += fmt::format("{}{}", names.empty() ? "" : ", ", unit.name);
     }
-    return tl::unexpected(ini.at(*entry, fmt::format("{} is '{}'; there are {}", key, entry->value, names)));
+    return tl::unexpected(
+        ini.at(*entry, fmt::format("{} is '{}'; allowed values are {}", key, entry->value, names)));
 }
 
 /// Limits from one section [AXIS_X] or [JOINT_0], in mm or deg.
@@ -132,8 +132,8 @@ class AxisReader {
         }
         if (error_) return tl::unexpected(*error_);
         if (first && !ini_.has_section(axis_section)) {
-            return tl::unexpected(fmt::format("{}: there is neither [{}] nor a section [JOINT_n] for axis {}",
-                                              ini_.file_name(), axis_section, letter));
+            return Unexpected(fmt::format("{}: neither [{}] nor a section [JOINT_n] exists for axis {}",
+                                          ini_.file_name(), axis_section, letter));
         }
         return make_axis(letter, rotary, limits);
     }
@@ -174,14 +174,14 @@ class AxisReader {
     void check_type(const std::string& section, char letter, bool rotary) {
         const auto type = ini_.text(section, "TYPE");
         if (!type || text::upper(*type) == (rotary ? "ANGULAR" : "LINEAR")) return;
-        warnings_.push_back(fmt::format("[{}] TYPE = {} is not taken over: axis {} is {}", section, *type,
+        warnings_.push_back(fmt::format("[{}] TYPE = {} is not imported: axis {} is {}", section, *type,
                                         letter, rotary ? "rotary" : "linear"));
     }
 
     Read<machine::Axis> make_axis(char letter, bool rotary, const Limits& limits) {
         if (limits.min > limits.max) {
-            return tl::unexpected(fmt::format("{}: the limits of axis {} leave no range: {} .. {}",
-                                              ini_.file_name(), letter, limits.min, limits.max));
+            return Unexpected(fmt::format("{}: the limits of axis {} leave no range: {} .. {}",
+                                          ini_.file_name(), letter, limits.min, limits.max));
         }
         machine::Axis axis;
         axis.letter = letter;
@@ -194,7 +194,7 @@ class AxisReader {
         axis.home = std::clamp(limits.home, limits.min, limits.max);
         if (axis.home != limits.home) {
             warnings_.push_back(
-                fmt::format("HOME of axis {} is outside of its range; it is taken as {}", letter, axis.home));
+                fmt::format("HOME of axis {} is outside its range; it is imported as {}", letter, axis.home));
         }
         axis.direction = letter_direction(letter);
         return axis;
@@ -204,7 +204,7 @@ class AxisReader {
     const IniUnits& units_;
     std::vector<std::string>& warnings_;
     double unit_ = 1;
-    std::optional<std::string> error_;
+    std::optional<Error> error_;
 };
 
 }  // namespace
@@ -237,12 +237,13 @@ Read<std::vector<machine::Axis>> read_axes(IniFile& ini, const IniUnits& units,
     const std::string letters =
         remove_duplicates(parse_letters(ini.text("TRAJ", "COORDINATES").value_or(*pose_from_joints)));
     if (letters.empty())
-        return tl::unexpected(fmt::format("{}: [TRAJ] COORDINATES names no axes", ini.file_name()));
+        return Unexpected(fmt::format("{}: [TRAJ] COORDINATES names no axes", ini.file_name()));
     const auto joint_count = ini.number("KINS", "JOINTS");
     if (!joint_count) return tl::unexpected(joint_count.error());
     const auto max = static_cast<double>(pose_from_joints->size());
-    const double given_count = joint_count->value_or(max);
-    const auto count = static_cast<std::size_t>(given_count >= 0 ? std::min(given_count, max) : max);
+    const double configured_count = joint_count->value_or(max);
+    const auto count =
+        static_cast<std::size_t>(configured_count >= 0 ? std::min(configured_count, max) : max);
     std::map<char, std::vector<std::size_t>> joints;
     for (std::size_t joint = 0; joint < count; ++joint) joints[(*pose_from_joints)[joint]].push_back(joint);
     std::vector<machine::Axis> axes;

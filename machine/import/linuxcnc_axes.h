@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "machine/import/ini_file.h"
 #include "machine/model/machine.h"
 
@@ -17,12 +16,12 @@ struct IniUnits {
 };
 
 /// Returns the units of [TRAJ]. The error is "file:line: message".
-tl::expected<IniUnits, std::string> read_units(IniFile& ini);
+Result<IniUnits> read_units(IniFile& ini);
 
 /// Returns the axes of a machine with trivial kinematics, in the order of [TRAJ] COORDINATES. Each has the
 /// narrower of the limits of its section [AXIS_..] and of its joints. `warnings` receives settings that
 /// cannot be used as they are. The error is "file:line: message", as for other kinematics.
-tl::expected<std::vector<machine::Axis>, std::string> read_axes(IniFile& ini, const IniUnits& units,
-                                                                std::vector<std::string>& warnings);
+Result<std::vector<machine::Axis>> read_axes(IniFile& ini, const IniUnits& units,
+                                             std::vector<std::string>& warnings);
 
 }  // namespace gsim::import

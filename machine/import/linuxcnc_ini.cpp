@@ -18,8 +18,6 @@ namespace gsim::import {
 
 namespace {
 
-using VoidResult = tl::expected<void, std::string>;
-
 constexpr std::string_view kModel29 = "linuxcnc-2.9";
 constexpr std::string_view kModel210 = "linuxcnc-2.10";
 constexpr double kDefaultJerk_mm_s3 = 1e9;  // of [TRAJ] in 2.10
@@ -43,7 +41,7 @@ class Importer {
     Importer(IniFile ini, const std::filesystem::path& path, const os::Files& files)
         : ini_(std::move(ini)), folder_(path.parent_path()), files_(files) {}
 
-    tl::expected<ImportResult, std::string> release() {
+    Result<ImportResult> release() {
         return read_units(ini_)
             .and_then([&](const IniUnits& units) {
                 units_ = units;
@@ -60,12 +58,12 @@ class Importer {
     }
 
   private:
-    VoidResult import_remainder() {
+    Result<void> import_remainder() {
         read_name();
         import_units();
         for (const auto step : {&Importer::import_path_limits, &Importer::import_planner,
                                 &Importer::import_parameter_file, &Importer::import_tool_table}) {
-            if (VoidResult done = (this->*step)(); !done) return done;
+            if (Result<void> done = (this->*step)(); !done) return done;
         }
         return {};
     }
@@ -90,27 +88,25 @@ class Importer {
     void import_units() {
         result_.machine.program.dialect = "linuxcnc";
         if (units_.linear_mm == kMmPerInch) result_.machine.program.units = machine::ProgramUnits::inch;
-        const auto startup = ini_.text("RS274NGC", "RS274NGC_STARTUP_CODE");
-        if (!startup) return;
-        const std::string code = text::upper(*startup);
+        const auto startup_code = ini_.text("RS274NGC", "RS274NGC_STARTUP_CODE");
+        if (!startup_code) return;
+        const std::string code = text::upper(*startup_code);
         if (code.find("G20") != std::string::npos)
             result_.machine.program.units = machine::ProgramUnits::inch;
         if (code.find("G21") != std::string::npos) result_.machine.program.units = machine::ProgramUnits::mm;
         result_.warnings.push_back(fmt::format(
-            "[RS274NGC] RS274NGC_STARTUP_CODE = {} is not run before programs; of it the units are "
-            "taken over",
-            *startup));
+            "[RS274NGC] RS274NGC_STARTUP_CODE = {} is not run before programs; only its units are imported",
+            *startup_code));
     }
 
     // Reads a number of [TRAJ] by the first of two names; the second is the name in older versions.
-    tl::expected<std::optional<double>, std::string> path_limit(std::string_view key,
-                                                                std::string_view old_key) {
+    Result<std::optional<double>> path_limit(std::string_view key, std::string_view old_key) {
         auto value = ini_.number("TRAJ", key);
         if (value && !value->has_value()) return ini_.number("TRAJ", old_key);
         return value;
     }
 
-    VoidResult import_path_limits() {
+    Result<void> import_path_limits() {
         machine::PathLimits& path = result_.machine.path;
         const auto speed = path_limit("MAX_LINEAR_VELOCITY", "MAX_VELOCITY");
         if (!speed) return tl::unexpected(speed.error());
@@ -123,17 +119,17 @@ class Importer {
             if (axis.kind == machine::AxisKind::rotary ||
                 axis.max_acceleration <= path.max_acceleration_mm_s2)
                 continue;
-            result_.warnings.push_back(fmt::format(
-                "[TRAJ] MAX_LINEAR_ACCELERATION, less than that of axis {}, is taken over for feed "
-                "moves, not for rapid ones",
-                axis.letter));
+            result_.warnings.push_back(
+                fmt::format("[TRAJ] MAX_LINEAR_ACCELERATION, less than that of axis {}, is imported for feed "
+                            "moves, not for rapid moves",
+                            axis.letter));
             break;
         }
         return {};
     }
 
     // The values are shares of 1.
-    VoidResult read_overrides(rrs::OverrideRules& overrides) {
+    Result<void> read_overrides(rrs::OverrideRules& overrides) {
         for (const auto& [key, percent] : {std::pair{"MAX_FEED_OVERRIDE", &overrides.feed_max_percent},
                                            {"MIN_SPINDLE_OVERRIDE", &overrides.spindle_min_percent},
                                            {"MAX_SPINDLE_OVERRIDE", &overrides.spindle_max_percent}}) {
@@ -146,20 +142,20 @@ class Importer {
     }
 
     // PLANNER_TYPE is a key of 2.10.
-    VoidResult import_release(rrs::ControllerRules& rules) {
+    Result<void> import_release(rrs::ControllerRules& rules) {
         const auto planner = ini_.number("TRAJ", "PLANNER_TYPE");
         if (!planner) return tl::unexpected(planner.error());
         rules = machine::built_in_controller(*planner ? kModel210 : kModel29).value();
         if (!*planner) return {};
         const auto clearance = ini_.number("RS274NGC", "G83_PECK_CLEARANCE");
         if (!clearance) return tl::unexpected(clearance.error());
-        if (*clearance && **clearance >= 0) rules.peck_clearance_mm = **clearance * units_.linear_mm;
+        if (*clearance && **clearance >= 0) rules.drilling.peck_clearance_mm = **clearance * units_.linear_mm;
         if (**planner != 1) return {};
-        rules.limit_jerk = true;
+        rules.ramps.limit_jerk = true;
         return import_jerk();
     }
 
-    VoidResult import_jerk() {
+    Result<void> import_jerk() {
         const auto jerk = ini_.number("TRAJ", "MAX_LINEAR_JERK");
         if (!jerk) return tl::unexpected(jerk.error());
         const bool given = *jerk && **jerk > 0;
@@ -171,31 +167,31 @@ class Importer {
         }
         if (straight.empty()) return {};
         result_.warnings.push_back(
-            fmt::format("[TRAJ] PLANNER_TYPE = 1 makes no S-curves of moves of {}, whose sections have no "
-                        "MAX_JERK, as in LinuxCNC",
+            fmt::format("[TRAJ] PLANNER_TYPE = 1 does not use S-curves for moves of {}, whose sections have "
+                        "no MAX_JERK, as in LinuxCNC",
                         straight));
         return {};
     }
 
-    VoidResult import_planner() {
+    Result<void> import_planner() {
         rrs::ControllerRules& rules = result_.machine.controller;
-        if (VoidResult done = import_release(rules); !done) return done;
+        if (Result<void> done = import_release(rules); !done) return done;
         const auto period_ns = ini_.number("EMCMOT", "SERVO_PERIOD");
         if (!period_ns) return tl::unexpected(period_ns.error());
-        if (*period_ns) rules.servo_period_s = **period_ns * kNanosecond_s;
+        if (*period_ns) rules.position_loop.servo_period_s = **period_ns * kNanosecond_s;
         const auto depth = ini_.number("TRAJ", "ARC_BLEND_OPTIMIZATION_DEPTH");
         if (!depth) return tl::unexpected(depth.error());
         constexpr double kMaxBlocks =
             1e6;  // above the max of a machine file, and within the range of an integer
         if (*depth && **depth >= 1)
-            rules.look_ahead_blocks = static_cast<std::size_t>(std::min(**depth, kMaxBlocks));
+            rules.blocks.look_ahead = static_cast<std::size_t>(std::min(**depth, kMaxBlocks));
         if (auto is_used = read_overrides(rules.overrides); !is_used) return is_used;
         for (const FixedValue& fixed : kFixedValues) {
             const auto value = ini_.number(fixed.section, fixed.key);
             if (!value) return tl::unexpected(value.error());
             if (!*value || **value == fixed.value) continue;
             result_.warnings.push_back(
-                fmt::format("[{}] {} = {} is not taken over: the planner here is that of LinuxCNC with {}",
+                fmt::format("[{}] {} = {} is not imported: the planner here is that of LinuxCNC with {}",
                             fixed.section, fixed.key, **value, fixed.value));
         }
         return {};
@@ -211,26 +207,26 @@ class Importer {
         auto text = files_.read_text(path);
         if (text) return std::pair(path.string(), *std::move(text));
         result_.warnings.push_back(
-            fmt::format("[{}] {} = {} is not taken over: {}", section, key, *name, text.error()));
+            fmt::format("[{}] {} = {} is not imported: {}", section, key, *name, text.error().message));
         return std::nullopt;
     }
 
-    VoidResult import_parameter_file() {
+    Result<void> import_parameter_file() {
         const auto file = named_file("RS274NGC", "PARAMETER_FILE");
-        return file ? import_table_file(*file, import_parameters) : VoidResult();
+        return file ? import_table_file(*file, import_parameters) : Result<void>();
     }
 
-    VoidResult import_tool_table() {
+    Result<void> import_tool_table() {
         const auto file = named_file("EMCIO", "TOOL_TABLE");
-        return file ? import_table_file(*file, import_tools) : VoidResult();
+        return file ? import_table_file(*file, import_tools) : Result<void>();
     }
 
-    VoidResult import_table_file(const std::pair<std::string, std::string>& file,
-                                 VoidResult (*import_table)(std::string_view, std::string_view, double,
-                                                            std::string_view, machine::MachineData&,
-                                                            ImportNotes&)) {
+    Result<void> import_table_file(const std::pair<std::string, std::string>& file,
+                                   Result<void> (*import_table)(std::string_view, std::string_view, double,
+                                                                std::string_view, machine::MachineData&,
+                                                                ImportNotes&)) {
         ImportNotes notes;
-        VoidResult done =
+        Result<void> done =
             import_table(file.second, file.first, units_.linear_mm, letters(), result_.data, notes);
         result_.has_data = true;
         for (const std::string& name : notes.left_out)
@@ -263,9 +259,8 @@ class Importer {
 
 }  // namespace
 
-tl::expected<ImportResult, std::string> import_linuxcnc(std::string_view text,
-                                                        const std::filesystem::path& path,
-                                                        const os::Files& files) {
+Result<ImportResult> import_linuxcnc(std::string_view text, const std::filesystem::path& path,
+                                     const os::Files& files) {
     return IniFile::read(text, path, files).and_then([&](IniFile ini) {
         return Importer(std::move(ini), path, files).release();
     });

@@ -17,14 +17,15 @@ namespace gsim::import {
 namespace {
 
 constexpr std::string_view kLettersInOrder = "XYZABCUVW";  // of parameters
-constexpr double kStoredMm = kMmPerInch;  // parameters of this project's RS274/NGC hold lengths in inches
+constexpr double kStoredUnit_mm =
+    kMmPerInch;  // parameters of this project's RS274/NGC hold lengths in inches
 constexpr int kFirstHome = 5161;
 constexpr int kSecondHome = 5181;
 constexpr int kG92Active = 5210;
 constexpr int kFirstG92 = 5211;
 constexpr int kActiveSystem = 5220;
 constexpr int kFirstSystem = 5221;
-constexpr int kPerSystem = 20;
+constexpr int kParametersPerSystem = 20;
 constexpr int kRotation = 9;
 constexpr int kFirstUserVariable = 31;  // of the variables that programs may keep
 constexpr int kLastUserVariable = 5000;
@@ -37,8 +38,7 @@ bool is_rotary(char letter) {
 
 // Calls take(line, number) for each line with content, until it returns an error.
 template <typename LineHandler>
-tl::expected<void, std::string> for_each_line(std::string_view text, std::string_view file_name,
-                                              LineHandler read_line) {
+Result<void> for_each_line(std::string_view text, std::string_view file_name, LineHandler read_line) {
     std::size_t at = 0;
     for (int number = 1; at < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -46,8 +46,8 @@ tl::expected<void, std::string> for_each_line(std::string_view text, std::string
         at = end + 1;
         line = trimmed_text(line.substr(0, line.find_first_of(";#")));
         if (line.empty()) continue;
-        if (const std::optional<std::string> error = read_line(line))
-            return tl::unexpected(fmt::format("{}:{}: {}", file_name, number, *error));
+        if (const Result<void> done = read_line(line); !done)
+            return Unexpected(fmt::format("{}:{}: {}", file_name, number, done.error().message));
     }
     return {};
 }
@@ -57,14 +57,14 @@ class Parameters {
     Parameters(double unit_mm, std::string_view axes, machine::MachineData& data, ImportNotes& notes)
         : unit_mm_(unit_mm), axes_(axes), data_(data), notes_(notes) {}
 
-    std::optional<std::string> read_line(std::string_view line) {
+    Result<void> read_line(std::string_view line) {
         const std::size_t blank = std::min(line.find_first_of(" \t"), line.size());
         const auto number = parse_number_text(line.substr(0, blank));
         const auto value = parse_number_text(line.substr(blank));
         if (!number || !value || *number != std::floor(*number) || *number < 1 || *number > kLastParameter)
-            return fmt::format("'{}' is no number of a parameter and its value", line);
+            return Unexpected(fmt::format("'{}' must be the number of a parameter and its value", line));
         values_[static_cast<int>(*number)] = *value;
-        return std::nullopt;
+        return {};
     }
 
     void use() {
@@ -94,12 +94,13 @@ class Parameters {
     bool has_axis(char letter, double of, std::string_view what) {
         if (axes_.find(letter) != std::string_view::npos) return true;
         if (of != 0)
-            notes_.left_out.push_back(fmt::format("{} of {}: the machine has no such axis", letter, what));
+            notes_.left_out.push_back(
+                fmt::format("{} of {}: the machine does not have this axis", letter, what));
         return false;
     }
 
     void import_system(std::size_t system) {
-        const int first = kFirstSystem + static_cast<int>(system) * kPerSystem;
+        const int first = kFirstSystem + static_cast<int>(system) * kParametersPerSystem;
         machine::AxisValues values;
         bool any = false;
         for (std::size_t i = 0; i < kLettersInOrder.size(); ++i) {
@@ -118,7 +119,8 @@ class Parameters {
             const char letter = kLettersInOrder[i];
             const double of = value(first + static_cast<int>(i));
             if (of == 0 || !has_axis(letter, of, what)) continue;
-            data_.variables[first + static_cast<int>(i)] = is_rotary(letter) ? of : of * unit_mm_ / kStoredMm;
+            data_.variables[first + static_cast<int>(i)] =
+                is_rotary(letter) ? of : of * unit_mm_ / kStoredUnit_mm;
         }
     }
 
@@ -134,7 +136,7 @@ class ToolTableReader {
     ToolTableReader(double unit_mm, std::string_view axes, machine::MachineData& data, ImportNotes& notes)
         : unit_mm_(unit_mm), axes_(axes), data_(data), notes_(notes) {}
 
-    std::optional<std::string> read_line(std::string_view line) {
+    Result<void> read_line(std::string_view line) {
         std::map<char, double> words;
         for (std::size_t at = 0; at < line.size();) {
             const std::size_t begin = line.find_first_not_of(" \t", at);
@@ -146,9 +148,9 @@ class ToolTableReader {
             const char letter = text::upper(line.substr(begin, 1)).front();
             const auto value = parse_number_text(line.substr(begin + 1, end - begin - 1));
             if (kToolLetters.find(letter) == std::string_view::npos || !value)
-                return fmt::format(
-                    "'{}' is no word of a tool: T P D X Y Z A B C U V W I J Q, each with a number",
-                    line.substr(begin, line.find_first_of(" \t", begin) - begin));
+                return Unexpected(fmt::format(
+                    "'{}' is not a word of a tool: T P D X Y Z A B C U V W I J Q, each with a number",
+                    line.substr(begin, line.find_first_of(" \t", begin) - begin)));
             words[letter] = *value;
             at = end;
         }
@@ -160,18 +162,18 @@ class ToolTableReader {
     static constexpr double kMaxNumber = 99999;
     static constexpr int kOrientations = 10;
 
-    std::optional<std::string> make_tool(const std::map<char, double>& words) {
+    Result<void> make_tool(const std::map<char, double>& words) {
         const auto of = [&](char letter) {
             const auto found = words.find(letter);
             return found == words.end() ? 0.0 : found->second;
         };
-        if (words.find('T') == words.end()) return std::string("a tool needs its number T");
+        if (words.find('T') == words.end()) return Unexpected("a tool needs its number T");
         const double number = of('T');
         if (number != std::floor(number) || number < 0 || number > kMaxNumber)
-            return fmt::format("T{} is no number of a tool", number);
+            return Unexpected(fmt::format("T{} is not a valid tool number", number));
         if (number == 0) {
-            notes_.left_out.emplace_back("T0: tools are counted from 1");
-            return std::nullopt;
+            notes_.left_out.emplace_back("T0: tool numbers start at 1");
+            return {};
         }
         machine::Tool tool;
         tool.length_mm = remove_rounding_noise(of('Z') * unit_mm_);
@@ -180,22 +182,23 @@ class ToolTableReader {
         tool.back_angle_deg = of('J');
         const double orientation = of('Q');
         if (orientation != std::floor(orientation) || orientation < 0 || orientation >= kOrientations)
-            return fmt::format("Q{} is no orientation, which is 0 to 9", orientation);
+            return Unexpected(
+                fmt::format("Q{} is not a valid orientation, which must be 0 to 9", orientation));
         tool.orientation = static_cast<int>(orientation);
         for (const char letter : {'X', 'Y', 'A', 'B', 'C', 'U', 'V', 'W'}) {
             if (of(letter) == 0) continue;
             if (axes_.find(letter) == std::string_view::npos) {
                 notes_.left_out.push_back(
-                    fmt::format("{} of tool {}: the machine has no such axis", letter, number));
+                    fmt::format("{} of tool {}: the machine does not have this axis", letter, number));
                 continue;
             }
             tool.offsets[letter] =
                 is_rotary(letter) ? of(letter) : remove_rounding_noise(of(letter) * unit_mm_);
         }
         if (words.find('P') != words.end() && of('P') != number)
-            notes_.left_out.push_back(fmt::format("P{} of tool {}: places in a magazine", of('P'), number));
+            notes_.left_out.push_back(fmt::format("P{} of tool {}: magazine pockets", of('P'), number));
         data_.tools[static_cast<int>(number)] = std::move(tool);
-        return std::nullopt;
+        return {};
     }
 
     double unit_mm_;
@@ -206,17 +209,15 @@ class ToolTableReader {
 
 }  // namespace
 
-tl::expected<void, std::string> import_parameters(std::string_view text, std::string_view file_name,
-                                                  double unit_mm, std::string_view axes,
-                                                  machine::MachineData& data, ImportNotes& notes) {
+Result<void> import_parameters(std::string_view text, std::string_view file_name, double unit_mm,
+                               std::string_view axes, machine::MachineData& data, ImportNotes& notes) {
     Parameters parameters(unit_mm, axes, data, notes);
     return for_each_line(text, file_name, [&](std::string_view line) { return parameters.read_line(line); })
         .map([&] { parameters.use(); });
 }
 
-tl::expected<void, std::string> import_tools(std::string_view text, std::string_view file_name,
-                                             double unit_mm, std::string_view axes,
-                                             machine::MachineData& data, ImportNotes& notes) {
+Result<void> import_tools(std::string_view text, std::string_view file_name, double unit_mm,
+                          std::string_view axes, machine::MachineData& data, ImportNotes& notes) {
     ToolTableReader tools(unit_mm, axes, data, notes);
     return for_each_line(text, file_name, [&](std::string_view line) { return tools.read_line(line); });
 }

@@ -10,10 +10,10 @@ namespace gsim::machine {
 /// The drive of an axis, seen at the axis: N and kg for a linear one, Nm and kg m2 for a rotary one. Forces
 /// and torques count in the sense of its value.
 struct Drive {
-    double coulomb = 0;        ///< Friction whatever the speed.
-    double viscous = 0;        ///< Friction for each mm/s (N) or deg/s (Nm).
-    double rotor = 0;          ///< Inertia that turns with the motor, as a mass or moment at the axis.
-    double counterweight = 0;  ///< Load that a balance takes off the motor.
+    double coulomb_friction = 0;  ///< Friction whatever the speed.
+    double viscous = 0;           ///< Friction for each mm/s (N) or deg/s (Nm).
+    double rotor = 0;             ///< Inertia that turns with the motor, as a mass or moment at the axis.
+    double counterweight = 0;     ///< Load that a balance takes off the motor.
     double peak = std::numeric_limits<double>::infinity();        ///< Max force or torque of the motor,
     double continuous = std::numeric_limits<double>::infinity();  ///< and what it does as a root mean square.
     /// Speeds (mm/s or deg/s), each above the one before, and the motor's max there, linear in between; 0

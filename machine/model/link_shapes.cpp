@@ -68,7 +68,8 @@ class ShapeReader {
         std::string name = section.text("name");
         if (name.empty()) section.fail("name", "'name' must not be empty");
         if (is_frame(machine_, name))
-            section.fail("name", fmt::format("the name '{}' is taken by a frame of the machine", name));
+            section.fail("name",
+                         fmt::format("the name '{}' is already used by a frame of the machine", name));
         if (const auto other = find_shape(machine_, name)) {
             section.fail("name",
                          fmt::format("the name '{}' is given twice; first in line {}", name, lines_[*other]));
@@ -84,8 +85,7 @@ class ShapeReader {
         const auto nearest = text::nearest_name(on, kMountNames);
         section.fail(
             "on",
-            fmt::format("'on' must be \"base\", the letter of an axis ({}), \"tool\", \"work\" "
-                        "or \"jet\"{}",
+            fmt::format("'on' must be \"base\", an axis letter ({}), \"tool\", \"work\" or \"jet\"{}",
                         letters(machine_), nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""));
         return on;
     }

@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/units.h"
 #include "machine/model/frame_pose.h"
 #include "motion/kinematics/chain_kinematics.h"
 #include "motion/kinematics/gantry.h"
-#include "motion/kinematics/numeric.h"
+#include "motion/kinematics/numeric_kinematics.h"
 
 namespace gsim::machine {
 
@@ -72,7 +74,7 @@ std::vector<int> fixed_joints(const Machine& machine) {
     return joints;
 }
 
-using KinematicsResult = tl::expected<std::shared_ptr<const kinematics::Kinematics>, std::string>;
+using KinematicsResult = Result<std::shared_ptr<const kinematics::Kinematics>>;
 
 KinematicsResult make(const Machine& machine) {
     switch (machine.inverse) {
@@ -130,49 +132,48 @@ rrs::JointPos home_position(const Machine& machine) {
     return joints;
 }
 
-std::optional<std::string> find_kinematic_error(const Machine& machine) {
+std::optional<Error> find_kinematic_error(const Machine& machine) {
     if (machine.axes.size() > static_cast<std::size_t>(rrs::kMaxJoints)) {
         return "A machine has at most " + std::to_string(rrs::kMaxJoints) + " axes.";
     }
-    if (auto result = make(machine); !result) return std::move(result.error());
+    if (auto result = make(machine); !result) return std::move(result.error().message);
     return std::nullopt;
 }
 
-std::optional<std::string> find_controller_error(const Machine& machine) {
-    const bool is_rest_to_rest = machine.controller.planner == rrs::PlannerKind::rest_to_rest;
-    if (machine.controller.independent_ramps && !is_rest_to_rest)
-        return "'own_ramps' is of the planner \"rest-to-rest\" alone: in the others all axes go in "
-               "proportion";
-    if (!machine.controller.interpolated_rapids && !is_rest_to_rest)
-        return "'interpolated_rapids = false' is of the planner \"rest-to-rest\" alone: in the others all "
-               "axes go in proportion";
-    if (!machine.controller.interpolated_rapids && std::isfinite(machine.path.max_rapid_mm_s))
-        return "'interpolated_rapids = false' does not go with 'max_rapid_mm_s': each axis has its own "
-               "speed, "
-               "and nothing keeps that of the tool";
-    const bool is_chords = machine.controller.planner == rrs::PlannerKind::look_ahead &&
-                           machine.controller.arc_chord_tolerance_mm > 0;
-    if (machine.controller.path_measure == rrs::PathMeasure::all_axes && !is_chords)
-        return "'path_measure = \"all-axes\"' is of the planner \"look-ahead\" with arcs as chords alone "
-               "(arc_chord_tolerance_mm): it plans lines";
-    if (machine.controller.limit_jerk && machine.controller.ramp_step_s > 0 && !is_chords)
-        return "'ramp_step_s' is of the planner \"look-ahead\" with arcs as chords alone "
-               "(arc_chord_tolerance_mm): it drives lines";
-    if (machine.controller.orientation == rrs::OrientationRule::joints) return std::nullopt;
+std::optional<Error> find_controller_error(const Machine& machine) {
+    const rrs::PlannerCapabilities& planner = machine.controller.capabilities();
+    if (machine.controller.coordination.independent_ramps && !planner.plans_uncoordinated_joints)
+        return "'own_ramps' needs the planner \"rest-to-rest\": in the others all axes move in proportion";
+    if (!machine.controller.coordination.interpolated_rapids && !planner.plans_uncoordinated_joints)
+        return "'interpolated_rapids = false' needs the planner \"rest-to-rest\": in the others all axes "
+               "move in proportion";
+    if (!machine.controller.coordination.interpolated_rapids && std::isfinite(machine.path.max_rapid_mm_s))
+        return "'interpolated_rapids = false' cannot be combined with 'max_rapid_mm_s': each axis has its "
+               "own speed, so the tool speed is not limited";
+    const bool uses_chords = planner.arc_chords == rrs::ArcChords::by_tolerance &&
+                             machine.controller.curves.arc_chord_tolerance_mm > 0;
+    if (machine.controller.blocks.path_measure == rrs::PathMeasure::all_axes && !uses_chords)
+        return "'path_measure = \"all-axes\"' needs the planner \"look-ahead\" with arcs as chords "
+               "(arc_chord_tolerance_mm), which plans only lines";
+    if (machine.controller.ramps.limit_jerk && machine.controller.ramps.step_s > 0 && !uses_chords)
+        return "'ramp_step_s' needs the planner \"look-ahead\" with arcs as chords (arc_chord_tolerance_mm), "
+               "which plans only lines";
+    if (machine.controller.coordination.orientation == rrs::OrientationRule::joints) return std::nullopt;
     if (!machine.controller.has_great_circles()) {
-        return "'orientation = \"great-circle\"' is not for the planners \"linuxcnc\" and \"klipper\" nor "
-               "for arcs "
-               "as chords: all of these plan lines of axis values";
+        return fmt::format(
+            "'orientation = \"great-circle\"' cannot be combined with the planners {} or with arcs as "
+            "chords: all of "
+            "these plan lines of axis values",
+            rrs::planners_without(&rrs::PlannerCapabilities::plans_great_circles));
     }
     if (make_kinematics(machine)->tilting_head()) return std::nullopt;
     return "'orientation = \"great-circle\"' needs 'inverse = \"gantry\"' and two rotary axes through the "
-           "tip at "
-           "right angles, the second one also to the tool";
+           "TCP at right angles, the second also at a right angle to the tool";
 }
 
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine) {
     auto result = make(machine);
-    if (!result) throw std::invalid_argument(result.error());
+    if (!result) throw std::invalid_argument(result.error().message);
     return *std::move(result);
 }
 

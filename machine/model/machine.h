@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "controller/services/controller_rules.h"
 #include "machine/model/axis_direction.h"
 #include "machine/model/axis_group.h"
@@ -52,7 +53,7 @@ struct DhRow {
     bool operator==(const DhRow&) const = default;
 };
 
-inline constexpr int kHomes = 4;  ///< Home positions of a machine: the primary one and three others.
+inline constexpr int kHomeCount = 4;  ///< Home positions of a machine: the primary one and three others.
 
 /// One axis of the machine: the letter that programs use and the joint it drives. The index of an axis is the
 /// index of its joint. Axes that carry the tool are in the order from the world to the tool. Those that carry
@@ -81,7 +82,7 @@ struct Axis {
     CarriedPart carries = CarriedPart::tool;
     RotaryMode turning = RotaryMode::limited;
     /// Home positions 2 to 4, if the axis has a value there.
-    std::array<std::optional<double>, kHomes - 1> other_homes = {};
+    std::array<std::optional<double>, kHomeCount - 1> other_homes = {};
     Drive drive = {};
     /// Servo loop, if given in the file: following errors of all axes are computed then.
     std::optional<Servo> servo = std::nullopt;
@@ -137,12 +138,12 @@ double joint_value(const Axis& axis, double axis_value);
 /// Returns the joint values with all axes at home.
 rrs::JointPos home_position(const Machine& machine);
 
-/// Returns why the machine's chain does not fit its inverse, as a message; nothing if it does.
-std::optional<std::string> find_kinematic_error(const Machine& machine);
+/// Returns an error if the machine's chain does not fit its inverse.
+std::optional<Error> find_kinematic_error(const Machine& machine);
 
-/// Returns why the machine or its planner cannot turn the tool as its controller's rules require, as a
-/// message; nothing if they can. For a machine without a kinematic error.
-std::optional<std::string> find_controller_error(const Machine& machine);
+/// Returns an error if the machine or its planner cannot turn the tool as its controller's rules require. For
+/// a machine without a kinematic error.
+std::optional<Error> find_controller_error(const Machine& machine);
 
 /// Returns the target (mm or deg) of an axis at `now` that is commanded to `value`. For a rotary axis it may
 /// differ by full turns, according to its `turning`. `origin` is the zero of both values, in machine

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text/format.h"
+#include "controller/services/rule_field.h"
 #include "machine/file/times_section.h"
 
 namespace gsim::machine {
@@ -31,25 +32,31 @@ constexpr std::array kPathParameters{
     PathParameter{"max_acceleration_mm_s2", &PathLimits::max_acceleration_mm_s2},
     PathParameter{"max_rapid_acceleration_mm_s2", &PathLimits::max_rapid_acceleration_mm_s2}};
 
+using Rules = rrs::ControllerRules;
+
 struct RuleParameter {
     std::string_view key;
-    double rrs::ControllerRules::*value;
+    rrs::RuleField<double> value;
 };
 constexpr std::array kRuleParameters{
-    RuleParameter{"speed_step_s", &rrs::ControllerRules::speed_step_s},
-    RuleParameter{"junction_deviation_mm", &rrs::ControllerRules::junction_deviation_mm},
-    RuleParameter{"blend_tolerance_mm", &rrs::ControllerRules::blend_tolerance_mm},
-    RuleParameter{"centripetal_share", &rrs::ControllerRules::centripetal_share},
-    RuleParameter{"continuous_acceleration_share", &rrs::ControllerRules::continuous_acceleration_share},
-    RuleParameter{"block_time_s", &rrs::ControllerRules::block_time_s},
-    RuleParameter{"servo_period_s", &rrs::ControllerRules::servo_period_s},
-    RuleParameter{"settle_s", &rrs::ControllerRules::settle_s},
-    RuleParameter{"rest_s", &rrs::ControllerRules::dwell_s}};
+    RuleParameter{"speed_step_s", rrs::rule_field<&Rules::corners, &rrs::CornerRules::speed_step_s>()},
+    RuleParameter{"junction_deviation_mm",
+                  rrs::rule_field<&Rules::corners, &rrs::CornerRules::junction_deviation_mm>()},
+    RuleParameter{"blend_tolerance_mm",
+                  rrs::rule_field<&Rules::corners, &rrs::CornerRules::blend_tolerance_mm>()},
+    RuleParameter{"centripetal_share", rrs::rule_field<&Rules::ramps, &rrs::RampRules::centripetal_share>()},
+    RuleParameter{"continuous_acceleration_share",
+                  rrs::rule_field<&Rules::ramps, &rrs::RampRules::continuous_acceleration_share>()},
+    RuleParameter{"block_time_s", rrs::rule_field<&Rules::blocks, &rrs::BlockRules::time_s>()},
+    RuleParameter{"servo_period_s",
+                  rrs::rule_field<&Rules::position_loop, &rrs::PositionLoopRules::servo_period_s>()},
+    RuleParameter{"settle_s", rrs::rule_field<&Rules::position_loop, &rrs::PositionLoopRules::settle_s>()},
+    RuleParameter{"rest_s", rrs::rule_field<&Rules::standstill, &rrs::StandstillRules::dwell_s>()}};
 
 template <typename Parameters>
-auto find_member(const Parameters& parameters, std::string_view key) -> decltype(parameters.front().value) {
+auto find_member(const Parameters& parameters, std::string_view key) -> decltype(&parameters.front().value) {
     for (const auto& parameter_id : parameters) {
-        if (parameter_id.key == key) return parameter_id.value;
+        if (parameter_id.key == key) return &parameter_id.value;
     }
     return nullptr;
 }
@@ -67,13 +74,13 @@ template <typename AMachine>
 auto parameter_locations(const MachineParameter& parameter_id, AMachine& machine) {
     std::vector<decltype(&machine.path.max_feed_mm_s)> value_pointers;
     if (parameter_id.of == "path") {
-        if (const auto member = find_member(kPathParameters, parameter_id.key))
-            value_pointers.push_back(&(machine.path.*member));
+        if (const auto* member = find_member(kPathParameters, parameter_id.key))
+            value_pointers.push_back(&(machine.path.**member));
         return value_pointers;
     }
     if (parameter_id.of == "controller") {
-        if (const auto member = find_member(kRuleParameters, parameter_id.key))
-            value_pointers.push_back(&(machine.controller.*member));
+        if (const auto* member = find_member(kRuleParameters, parameter_id.key))
+            value_pointers.push_back(&(*member)(machine.controller));
         return value_pointers;
     }
     if (parameter_id.of == "times") {

@@ -61,24 +61,22 @@ std::vector<double> read_rapid_percents(TomlSection& section, const std::vector<
         }
     }
     if (array != nullptr) return percents;
-    section.fail(kRapidPercentsKey,
-                 fmt::format("'{}' must be an array of numbers that rise, above 0 and up to "
-                             "100",
-                             kRapidPercentsKey));
+    section.fail(
+        kRapidPercentsKey,
+        fmt::format("'{}' must be an array of ascending numbers, above 0 and up to 100", kRapidPercentsKey));
     return fallback;
 }
 
 void check_range(TomlSection& section, std::string_view key, double min, double max) {
     if (min <= max) return;
-    section.fail(key, fmt::format("'{}' is {}, above the greatest value of {}", key, min, max));
+    section.fail(key, fmt::format("'{}' is {}, above the maximum of {}", key, min, max));
 }
 
 }  // namespace
 
-void read_overrides(TomlSection& controller, rrs::ControllerRules& rules) {
+void read_overrides(TomlSection& controller, OverrideRules& overrides) {
     auto section = controller.section(kOverridesKey, "[controller.overrides]", kOverrideKeys);
     if (!section) return;
-    OverrideRules& overrides = rules.overrides;
     for (const auto& [key, value, rule] : kOverrideNumbers)
         overrides.*value = section->number(key, overrides.*value, rule);
     overrides.rapid_percents = read_rapid_percents(*section, overrides.rapid_percents);
@@ -88,19 +86,18 @@ void read_overrides(TomlSection& controller, rrs::ControllerRules& rules) {
                 overrides.spindle_max_percent);
 }
 
-void print_overrides(TomlWriter& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base) {
-    const OverrideRules& now = rules.overrides;
+void print_overrides(TomlWriter& out, const OverrideRules& now, const OverrideRules& base) {
     std::vector<std::string> entries;
     for (const auto& [key, value, rule] : kOverrideNumbers) {
-        if (now.*value != base.overrides.*value)
+        if (now.*value != base.*value)
             entries.push_back(fmt::format("{} = {}", key, base::toml_number(now.*value)));
     }
-    if (now.rapid_percents != base.overrides.rapid_percents) {
+    if (now.rapid_percents != base.rapid_percents) {
         std::vector<std::string> percents;
         for (const double percent : now.rapid_percents) percents.push_back(base::toml_number(percent));
         entries.push_back(fmt::format("{} = [{}]", kRapidPercentsKey, text::joined(percents, ", ")));
     }
-    if (now.override_probe_feed != base.overrides.override_probe_feed)
+    if (now.override_probe_feed != base.override_probe_feed)
         entries.push_back(fmt::format("{} = {}", kProbeFeedKey, now.override_probe_feed));
     if (!entries.empty()) out.line(kOverridesKey, fmt::format("{{ {} }}", text::joined(entries, ", ")));
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::machine {
 
@@ -25,7 +25,6 @@ struct ProgramTable {
 
 /// Reads only that table; of the remaining file it only checks that it is TOML. The error is
 /// "file:line:column: message".
-tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml_text,
-                                                           std::string_view file_name);
+Result<ProgramTable> read_program_table(std::string_view toml_text, std::string_view file_name);
 
 }  // namespace gsim::machine

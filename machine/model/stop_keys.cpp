@@ -34,19 +34,19 @@ std::span<const std::string_view> stop_words() {
     return kWords;
 }
 
-void read_stops(TomlSection& controller, rrs::ControllerRules& rules) {
+void read_stops(TomlSection& controller, rrs::StandstillRules& standstill) {
     auto section = controller.section(kStopsKey, "[controller.stops]", kWords);
     if (!section) return;
     for (const std::string_view word : kWords) {
         if (section->has(word))
-            rules.stops.insert_or_assign(std::string(word),
-                                         static_cast<StopRule>(section->choice(word, 0, kRules)));
+            standstill.stops.insert_or_assign(std::string(word),
+                                              static_cast<StopRule>(section->choice(word, 0, kRules)));
     }
 }
 
-void print_stops(TomlWriter& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base) {
+void print_stops(TomlWriter& out, const rrs::StandstillRules& standstill, const rrs::StandstillRules& base) {
     std::vector<std::string> entries;
-    for (const auto& [word, rule] : rules.stops) {
+    for (const auto& [word, rule] : standstill.stops) {
         const auto before = base.stops.find(word);
         if (before != base.stops.end() && before->second == rule) continue;
         entries.push_back(

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/toml/toml_writer.h"
-#include "controller/services/controller_rules.h"
+#include "controller/services/standstill_rules.h"
 
 namespace gsim::base {
 class TomlSection;
@@ -18,9 +18,10 @@ inline constexpr std::string_view kStopsKey = "stops";
 /// Returns the words that it may have.
 std::span<const std::string_view> stop_words();
 
-/// Reads it; its values replace those of `rules`.
-void read_stops(base::TomlSection& controller, rrs::ControllerRules& rules);
-/// Prints, as one line, the differences of `rules` from `base`.
-void print_stops(base::TomlWriter& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base);
+/// Reads it; its values replace those of `standstill.stops`.
+void read_stops(base::TomlSection& controller, rrs::StandstillRules& standstill);
+/// Prints, as one line, the differences of `standstill.stops` from those of `base`.
+void print_stops(base::TomlWriter& out, const rrs::StandstillRules& standstill,
+                 const rrs::StandstillRules& base);
 
 }  // namespace gsim::machine

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "base/error.h"
 #include "machine/model/machine.h"
 
 namespace gsim::machine {
@@ -13,8 +14,7 @@ bool is_torque_limited(const Machine& machine);
 /// True if an axis gives the force or torque of its motor.
 bool has_motor(const Axis& axis);
 
-/// Returns why that is impossible, as a message that names the key; nothing if it is possible, or not
-/// requested.
-std::optional<std::string> find_torque_limit_error(const Machine& machine);
+/// Returns an error that names the key if that is requested and impossible.
+std::optional<Error> find_torque_limit_error(const Machine& machine);
 
 }  // namespace gsim::machine

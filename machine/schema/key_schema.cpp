@@ -91,13 +91,13 @@ std::string key_unit(std::string_view name) {
 }
 
 std::vector<KeySchema> frame_schema() {
-    return {
-        number_key("x_mm", kFinite, "0.0", "place along X of the frame before"),
-        number_key("y_mm", kFinite, "0.0", "along Y"),
-        number_key("z_mm", kFinite, "0.0", "along Z"),
-        number_key("roll_deg", kFinite, "0.0", "turn about Z; the rotation is Rz(roll) Ry(pitch) Rx(yaw)"),
-        number_key("pitch_deg", kFinite, "0.0", "turn about Y"),
-        number_key("yaw_deg", kFinite, "0.0", "turn about X")};
+    return {number_key("x_mm", kFinite, "0.0", "position along X of the previous frame"),
+            number_key("y_mm", kFinite, "0.0", "along Y"),
+            number_key("z_mm", kFinite, "0.0", "along Z"),
+            number_key("roll_deg", kFinite, "0.0",
+                       "rotation about Z; the rotation is Rz(roll) Ry(pitch) Rx(yaw)"),
+            number_key("pitch_deg", kFinite, "0.0", "rotation about Y"),
+            number_key("yaw_deg", kFinite, "0.0", "rotation about X")};
 }
 
 std::vector<KeySchema> shape_schema() {
@@ -109,12 +109,12 @@ std::vector<KeySchema> shape_schema() {
     };
     return {lengths("box_mm", 3, "a box: its lengths along X, Y and Z; its frame is in the middle"),
             lengths("cylinder_mm", 2, "a cylinder along Z: diameter and height; its frame is in the middle"),
-            lengths("capsule_mm", 2, "the same with half a sphere at each end, beyond the height"),
+            lengths("capsule_mm", 2, "the same with a hemisphere at each end, beyond the height"),
             number_key("sphere_mm", kLength, "", "a sphere: its diameter"),
             text_key("mesh", "", "a file of triangles (.stl, .obj), or a STEP or IGES file"),
-            number_key("scale", kPositive, "1.0", "of a mesh: makes mm of its unit"),
+            number_key("scale", kPositive, "1.0", "for a mesh: factor from its unit to mm"),
             number_key("tolerance_mm", {.min = 0.001, .max = 100}, "0.05",
-                       "of a STEP or IGES file: how far its triangles may be off its surfaces")};
+                       "for a STEP or IGES file: max deviation of the triangles from its surfaces")};
 }
 
 }  // namespace gsim::machine

@@ -52,9 +52,10 @@ struct TableSchema {
     bool many = false;            ///< [[axis]]: there may be several.
     std::string meaning = {};
     std::vector<KeySchema> keys = {};
-    /// Key that has the value `where_value` in the described tables, if others of the name have other keys.
-    std::string where_key = {};
-    std::string where_value = {};
+    /// Key that has the value `condition_value` in the described tables, if others of the name have other
+    /// keys.
+    std::string condition_key = {};
+    std::string condition_value = {};
 };
 
 // Functions for rows of the guides.

@@ -46,7 +46,7 @@ Dynamics::Dynamics(const kinematics::Chain& chain, const DynamicsModel& model)
     : gravity_m_s2_(model.gravity_m_s2), drives_(model.drives) {
     const auto joints = static_cast<std::size_t>(chain.joint_count());
     if (model.links.size() != joints || model.drives.size() != joints)
-        throw std::invalid_argument("a model of dynamics has not one link and one drive for each joint");
+        throw std::invalid_argument("a model of dynamics must have one link and one drive for each joint");
     for (int joint = 0; joint < chain.joint_count(); ++joint)
         slides_.push_back(chain.kind(joint) == rrs::JointKind::prismatic);
     tool_side_ = make_links(chain.tool_side(), model, model.tool, true);
@@ -196,7 +196,8 @@ Efforts Dynamics::friction(const rrs::JointPos& velocity, const rrs::JointPos& s
     Efforts efforts(joint_count());
     for (int joint = 0; joint < joint_count(); ++joint) {
         const JointDrive& drive = drives_[static_cast<std::size_t>(joint)];
-        efforts[joint] = drive.coulomb * sense[joint] + drive.viscous * in_si(joint, velocity[joint]);
+        efforts[joint] =
+            drive.coulomb_friction * sense[joint] + drive.viscous * in_si(joint, velocity[joint]);
     }
     return efforts;
 }

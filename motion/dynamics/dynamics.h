@@ -13,9 +13,9 @@ using Efforts = rrs::JointPos;
 /// The drive of one joint, seen at the joint. Units are N, m, kg for a joint that slides, and Nm, rad, kg m2
 /// for one that turns.
 struct JointDrive {
-    double coulomb = 0;  ///< Friction that does not depend on speed; N or Nm.
-    double viscous = 0;  ///< Friction per speed; N s/m or Nm s/rad.
-    double rotor = 0;    ///< Inertia that turns with the motor, reflected; kg or kg m2.
+    double coulomb_friction = 0;  ///< Friction that does not depend on speed; N or Nm.
+    double viscous = 0;           ///< Friction per speed; N s/m or Nm s/rad.
+    double rotor = 0;             ///< Inertia that turns with the motor, reflected; kg or kg m2.
     double counterweight =
         0;  ///< Load that a balance takes off the motor in the sense of the value; N or Nm.
 };

@@ -283,11 +283,11 @@ motion::PlanResult EffortLimits::limit(LimitedPath& path, std::vector<JointSetup
     const EffortField field = make_effort_field(path);
     const AccelerationBounds acceleration_bounds = best(field, joints, path);
     if (!(acceleration_bounds.min() > 0)) {
-        return tl::unexpected(motion::PlanError{
-            .status = rrs::Status::RRS_INVALID_PARAMETER,
-            .message = "The motor has not enough for this move: weight, friction and hoses alone take all of "
-                       "its peak on the way.",
-            .joint = weakest_joint(field)});
+        return tl::unexpected(
+            motion::PlanError{.status = rrs::Status::RRS_INVALID_PARAMETER,
+                              .message = "The motor is too weak for this move: weight, friction and hoses "
+                                         "alone use its full peak along the path.",
+                              .joint = weakest_joint(field)});
     }
     for (const int joint : field.moving) {
         JointSetup& joint_setup = joints[static_cast<std::size_t>(joint)];

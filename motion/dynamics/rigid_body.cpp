@@ -41,8 +41,7 @@ std::optional<std::string> find_inertia_error(const Eigen::Matrix3d& inertia_kg_
         return fmt::format("one of its principal moments is negative: {:.6g} kg m2", moments[0]);
     if (moments[2] > moments[0] + moments[1] + rounding) {
         return fmt::format(
-            "its principal moment {:.6g} kg m2 is more than the sum of the two others, {:.6g} and "
-            "{:.6g}",
+            "its principal moment {:.6g} kg m2 is greater than the sum of the two others, {:.6g} and {:.6g}",
             moments[2], moments[0], moments[1]);
     }
     return std::nullopt;

@@ -15,12 +15,10 @@ using motion::Segment;
 namespace {
 
 constexpr double kMinStep_s = 1e-12;
-constexpr double kEndInset = 1e-9;              // of a step: how far its ends are looked at from inside
-constexpr double kLinearBelow_s = 2e-5;         // slopes of so short steps are rounding
-constexpr double kSettledTolerance = 1e-10;     // mm or rad: less is left of a change
-constexpr double kMinOrientationSteps = 64;     // steps of a great circle
-constexpr std::size_t kMinKeptSteps = 3;        // steps that are kept,
-constexpr std::size_t kMaxKeptSteps = 100'000;  // and the max, whatever the delay
+constexpr double kEndInset = 1e-9;           // of a step: how far its ends are looked at from inside
+constexpr double kLinearBelow_s = 2e-5;      // slopes of so short steps are rounding
+constexpr double kSettledTolerance = 1e-10;  // mm or rad: less is left of a change
+constexpr double kMinOrientationSteps = 64;  // steps of a great circle
 
 double turn_rad(const Segment& segment) {
     double turn = segment.kind == motion::SegmentKind::circular ? segment.arc.sweep_rad : 0;
@@ -40,12 +38,15 @@ bool is_proportional(const Segment& segment) {
 }  // namespace
 
 ServoMotion::ServoMotion(std::vector<ServoLoop> loops, std::vector<bool> is_rotary, double step_s)
-    : loops_(std::move(loops)), is_rotary_(std::move(is_rotary)), step_s_(step_s), ends_(loops_.size()) {
-    for (const ServoLoop& loop : loops_) longest_delay_s_ = std::max(longest_delay_s_, loop.delay_s);
-}
+    : loops_(std::move(loops)),
+      is_rotary_(std::move(is_rotary)),
+      step_s_(step_s),
+      ends_(loops_.size()),
+      history_(loops_) {}
 
 void ServoMotion::begin(const rrs::JointPos& start) {
-    start_ = standstill_.start = standstill_.end = start;
+    history_.begin(start);
+    standstill_.start = standstill_.end = start;
     for (std::size_t joint = 0; joint < ends_.size(); ++joint)
         ends_[joint] = {start[static_cast<Eigen::Index>(joint)], 0, {}};
 }
@@ -53,7 +54,7 @@ void ServoMotion::begin(const rrs::JointPos& start) {
 void ServoMotion::enter(const Segment& segment, const StepHandler& on_step) {
     go_to(segment.start_s, on_step);
     segment_ = &segment;
-    at_s_ = 0;
+    segment_time_s_ = 0;
     now_s_ = std::max(now_s_, segment.start_s);
     part_ = 0;
     part_begun_ = false;
@@ -86,15 +87,15 @@ void ServoMotion::go_to(double t_s, const StepHandler& on_step) {
         return;
     }
     const double to_s = std::min(t_s - segment_->start_s, segment_->duration_s);
-    while (to_s - at_s_ > kMinStep_s) {
-        while (part_ < part_ends_s_.size() && part_ends_s_[part_] - at_s_ <= kMinStep_s) {
+    while (to_s - segment_time_s_ > kMinStep_s) {
+        while (part_ < part_ends_s_.size() && part_ends_s_[part_] - segment_time_s_ <= kMinStep_s) {
             ++part_;
             part_begun_ = false;
         }
         if (!part_begun_) begin_part();
         const double path_part_end_s =
             part_ < part_ends_s_.size() ? part_ends_s_[part_] : std::numeric_limits<double>::infinity();
-        make_step(next_step_s(std::min(path_part_end_s, to_s) - at_s_), on_step);
+        make_step(next_step_s(std::min(path_part_end_s, to_s) - segment_time_s_), on_step);
     }
 }
 
@@ -110,8 +111,8 @@ JointState ServoMotion::state_inside(double from_s, double to_s, bool at_end) co
 void ServoMotion::begin_part() {
     const double end_s = part_ < part_ends_s_.size() ? std::min(part_ends_s_[part_], segment_->duration_s)
                                                      : segment_->duration_s;
-    set_points_.from = state_inside(at_s_, end_s, false);
-    const JointState last = state_inside(at_s_, end_s, true);
+    set_points_.from = state_inside(segment_time_s_, end_s, false);
+    const JointState last = state_inside(segment_time_s_, end_s, true);
     part_constant_ = std::isinf(curve_step_s_) && set_points_.from.acceleration.isZero(0) &&
                      last.acceleration.isZero(0) && set_points_.from.velocity == last.velocity;
     part_begun_ = true;
@@ -141,9 +142,9 @@ double ServoMotion::next_step_s(double remaining_s) const {
 /// Returns the further motion of a joint, from `set_points_.from`; without a duration at that speed. If a set
 /// point or its speed jumps, the position does not. Its speed does not either, except for the effect of
 /// acceleration feed-forward.
-ServoMotion::JointStep ServoMotion::joint_step(std::size_t joint, double duration_s) const {
+ServoHistory::JointStep ServoMotion::joint_step(std::size_t joint, double duration_s) const {
     const auto i = static_cast<Eigen::Index>(joint);
-    JointStep step{
+    ServoHistory::JointStep step{
         .at = set_points_.from.position[i], .speed = {set_points_.from.velocity[i], 0, 0, 0}, .error = {}};
     if (duration_s > 0) {
         const double from = set_points_.from.acceleration[i];
@@ -166,69 +167,26 @@ ServoMotion::JointStep ServoMotion::joint_step(std::size_t joint, double duratio
 }
 
 void ServoMotion::make_step(double duration_s, const StepHandler& on_step) {
-    const double to_s = at_s_ + duration_s;
-    set_points_.start_s = segment_->start_s + at_s_;
+    const double to_s = segment_time_s_ + duration_s;
+    set_points_.start_s = segment_->start_s + segment_time_s_;
     set_points_.duration_s = duration_s;
-    set_points_.to = part_constant_ ? set_points_.from : state_inside(at_s_, to_s, true);
+    set_points_.to = part_constant_ ? set_points_.from : state_inside(segment_time_s_, to_s, true);
     if (part_constant_) set_points_.to.position += duration_s * set_points_.from.velocity;
-    Step step = std::move(spare_step_);
+    ServoHistory::Step step = history_.release_spare();
     step.start_s = set_points_.start_s;
     step.duration_s = duration_s;
     step.joints.resize(loops_.size());
     for (std::size_t joint = 0; joint < loops_.size(); ++joint) {
-        const JointStep joint_state = step.joints[joint] = joint_step(joint, duration_s);
+        const ServoHistory::JointStep joint_state = step.joints[joint] = joint_step(joint, duration_s);
         ends_[joint] = {joint_state.set_point(duration_s), joint_state.speed_at(duration_s),
                         joint_state.error.at(duration_s)};
     }
-    keep(std::move(step));
-    at_s_ = to_s;
-    now_s_ = segment_->start_s + at_s_;
+    history_.add(std::move(step));
+    segment_time_s_ = to_s;
+    now_s_ = segment_->start_s + segment_time_s_;
     if (on_step) on_step(set_points_);
     set_points_.from = set_points_.to;
     set_points_.begins_segment = false;
-}
-
-void ServoMotion::keep(Step step) {
-    steps_.push_back(std::move(step));
-    const auto covers_delay = [this] {
-        return steps_[1].start_s <= steps_[steps_.size() - kMinKeptSteps].start_s - longest_delay_s_;
-    };
-    while (steps_.size() > kMinKeptSteps && (covers_delay() || steps_.size() > kMaxKeptSteps)) {
-        spare_step_ = std::move(steps_.front());
-        steps_.pop_front();
-    }
-}
-
-const ServoMotion::Step* ServoMotion::step_at(double t_s) const {
-    if (steps_.empty()) return nullptr;
-    if (t_s >= steps_.back().start_s) return &steps_.back();
-    const auto above = std::upper_bound(steps_.begin(), steps_.end(), t_s,
-                                        [](double at_s, const Step& step) { return at_s < step.start_s; });
-    return above == steps_.begin() ? &steps_.front() : &*(above - 1);
-}
-
-rrs::JointPos ServoMotion::set_points(double t_s) const {
-    const Step* step = step_at(t_s);
-    if (step == nullptr) return start_;
-    rrs::JointPos points(start_.size());
-    const double step_offset_s = std::clamp(t_s - step->start_s, 0.0, step->duration_s);
-    for (std::size_t joint = 0; joint < loops_.size(); ++joint)
-        points[static_cast<Eigen::Index>(joint)] = step->joints[joint].set_point(step_offset_s);
-    return points;
-}
-
-rrs::JointPos ServoMotion::positions(double t_s) const {
-    if (steps_.empty()) return start_;
-    rrs::JointPos positions(start_.size());
-    for (std::size_t joint = 0; joint < loops_.size(); ++joint) {
-        const double delayed_s = t_s - loops_[joint].delay_s;
-        const Step* step = step_at(delayed_s);
-        const double step_offset_s = std::clamp(delayed_s - step->start_s, 0.0, step->duration_s);
-        const JointStep& of = step->joints[joint];
-        positions[static_cast<Eigen::Index>(joint)] =
-            of.set_point(step_offset_s) - of.error.at(step_offset_s).value;
-    }
-    return positions;
 }
 
 }  // namespace gsim::dynamics

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <functional>
 #include <vector>
 
+#include "motion/dynamics/servo_history.h"
 #include "motion/dynamics/servo_loop.h"
 #include "motion/segment/segment.h"
 
@@ -47,32 +47,10 @@ class ServoMotion {
     void leave(const StepHandler& on_step);
 
     double now_s() const { return now_s_; }
-    /// Returns how far back set_points() and positions() reach, if as many steps exist.
-    double history_s() const { return longest_delay_s_; }
-    /// Returns the set points at an instant up to now, as far back as history_s() or in one of the last three
-    /// steps.
-    rrs::JointPos set_points(double t_s) const;
-    /// Returns the actual positions of the joints.
-    rrs::JointPos positions(double t_s) const;
+    /// Returns the set points and positions of the last steps.
+    const ServoHistory& history() const { return history_; }
 
   private:
-    struct JointStep {
-        double at = 0;  // the set point at the start
-        SpeedPolynomial speed{};
-        ServoStep error;
-
-        double set_point(double t_s) const {
-            return at + t_s * (speed[0] + t_s * (speed[1] / 2 + t_s * (speed[2] / 3 + t_s * speed[3] / 4)));
-        }
-        double speed_at(double t_s) const {
-            return speed[0] + t_s * (speed[1] + t_s * (speed[2] + t_s * speed[3]));
-        }
-    };
-    struct Step {
-        double start_s = 0;
-        double duration_s = 0;
-        std::vector<JointStep> joints;
-    };
     /// The end of the last step of a joint.
     struct JointEnd {
         double set_point = 0;
@@ -85,23 +63,18 @@ class ServoMotion {
     bool is_steady() const;
     void make_step(double duration_s, const StepHandler& on_step);
     motion::JointState state_inside(double from_s, double to_s, bool at_end) const;
-    JointStep joint_step(std::size_t joint, double duration_s) const;
-    void keep(Step step);
-    const Step* step_at(double t_s) const;
+    ServoHistory::JointStep joint_step(std::size_t joint, double duration_s) const;
 
     std::vector<ServoLoop> loops_;
     std::vector<bool> is_rotary_;
     double step_s_;
-    double longest_delay_s_ = 0;
-    rrs::JointPos start_;
     std::vector<JointEnd> ends_;
-    std::deque<Step> steps_;
-    Step spare_step_;  // its memory
+    ServoHistory history_;
     double now_s_ = 0;
 
     motion::Segment standstill_;                // between segments
     const motion::Segment* segment_ = nullptr;  // that is gone through
-    double at_s_ = 0;                           // in it
+    double segment_time_s_ = 0;                 // in it
     std::vector<double> part_ends_s_;           // of the parts in which its laws are polynomials
     std::size_t part_ = 0;
     bool part_begun_ = false;

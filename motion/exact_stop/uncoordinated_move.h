@@ -9,7 +9,7 @@
 
 namespace gsim::motion {
 
-// Rapid moves that are not interpolated (ControllerRules::interpolated_rapids).
+// Rapid moves that are not interpolated (CoordinationRules::interpolated_rapids).
 
 /// Plans a move from segment.start to segment.end in which each joint moves by its own limits of speed (times
 /// rules.rapid_share), acceleration and jerk. Each joint moves from standstill to standstill and arrives at a

@@ -35,7 +35,7 @@ void apply_joint(rrs::CartPos& frame, rrs::JointKind kind, double value) {
     }
 }
 
-rrs::CartPos branch_tip_pose(const Branch& branch, const rrs::JointPos& joints) {
+rrs::CartPos branch_end_pose(const Branch& branch, const rrs::JointPos& joints) {
     rrs::CartPos frame = branch.base;
     for (const Link& link : branch.links) {
         if (!link.row) frame = frame * link.before;
@@ -85,13 +85,13 @@ Chain::Chain(Branch tool_side, Branch work_side, std::vector<int> idle_joints)
       idle_joints_(std::move(idle_joints)) {
     const std::size_t count = tool_side_.links.size() + work_side_.links.size() + idle_joints_.size();
     if (count > static_cast<std::size_t>(rrs::kMaxJoints))
-        throw std::invalid_argument("a kinematic chain has more joints than a JointPos can hold");
+        throw std::invalid_argument("a kinematic chain has more joints than a JointPos can contain");
     kinds_.resize(count);
     std::vector<bool> seen(count);
     const auto add = [&](int joint, rrs::JointKind kind) {
         const auto index = static_cast<std::size_t>(joint);
         if (index >= count || seen[index])
-            throw std::invalid_argument("the joints of a kinematic chain are not numbered from 0 up");
+            throw std::invalid_argument("the joints of a kinematic chain must be numbered from 0 up");
         seen[index] = true;
         kinds_[index] = kind;
     };
@@ -103,8 +103,8 @@ Chain::Chain(Branch tool_side, Branch work_side, std::vector<int> idle_joints)
 }
 
 rrs::CartPos Chain::forward(const rrs::JointPos& joints) const {
-    if (work_is_world_) return branch_tip_pose(tool_side_, joints);
-    return branch_tip_pose(work_side_, joints).inverse() * branch_tip_pose(tool_side_, joints);
+    if (work_is_world_) return branch_end_pose(tool_side_, joints);
+    return branch_end_pose(work_side_, joints).inverse() * branch_end_pose(tool_side_, joints);
 }
 
 std::vector<rrs::CartPos> Chain::tool_frames(const rrs::JointPos& joints) const {

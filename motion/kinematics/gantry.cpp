@@ -73,12 +73,12 @@ std::optional<std::string> GantryKinematics::analyze() {
     std::vector<Vector3d> axes;
     for (const Screw& screw : screws_.screws) {
         if (!screw.direction.allFinite() || !screw.point.allFinite())
-            return "The kinematic chain holds a value that is not finite.";
+            return "The kinematic chain contains a value that is not finite.";
         if (screw.kind == JointKind::prismatic) slides.col(column++) = screw.direction;
         if (screw.kind == JointKind::revolute) axes.push_back(screw.direction);
     }
     if (!screws_.tool_at_zero.matrix().allFinite() || !screws_.work_at_zero.matrix().allFinite())
-        return "The kinematic chain holds a value that is not finite.";
+        return "The kinematic chain contains a value that is not finite.";
     if (std::abs(slides.determinant()) < kFlatTolerance)
         return "The gantry's closed-form inverse needs three linear axes that do not lie in one plane.";
     if (axes.size() == 2 && axes[0].cross(axes[1]).norm() < kParallel)
@@ -112,7 +112,7 @@ tl::expected<std::vector<rrs::JointPos>, std::string> GantryKinematics::solution
     }
     if (found.empty()) {
         return tl::unexpected<std::string>(
-            "The pose is singular: with the rotary axes as it needs them, the linear axes move in one "
+            "The pose is singular: at the required values of the rotary axes, the linear axes move in one "
             "plane.");
     }
     return sorted_solutions(chain_, ranges_, near, std::move(found));

@@ -39,7 +39,7 @@ Rpy rpy_from_pose(const rrs::CartPos& pose) {
 
 tl::expected<void, std::string> check_pose(const rrs::CartPos& pose) {
     if (!pose.matrix().allFinite())
-        return tl::unexpected<std::string>("The pose holds a value that is not finite.");
+        return tl::unexpected<std::string>("The pose contains a value that is not finite.");
     if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
         return tl::unexpected<std::string>("The last row of the pose's matrix is not 0 0 0 1.");
     }

@@ -63,7 +63,7 @@ std::optional<std::string> find_error(const Chain& chain, const std::vector<Join
     const bool ordered = std::all_of(ranges.begin(), ranges.end(),
                                      [](const JointRange& range) { return range.min <= range.max; });
     if (ordered && ranges.size() == static_cast<std::size_t>(chain.joint_count())) return std::nullopt;
-    return fmt::format("The ranges of the joints must be {}, each with its min not above its max.",
+    return fmt::format("The ranges of the joints must be {}, each with min not greater than max.",
                        chain.joint_count());
 }
 

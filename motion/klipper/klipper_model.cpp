@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMinMovesToPlan = 64;
 constexpr double kSpeedTolerance = 1e-9;  // relative
 
-LimitedBy limited_by(const QueuedMove& move, const TimeLaw& law) {
+LimitCause limited_by(const QueuedMove& move, const TimeLaw& law) {
     if (law.peak_speed() >= move.max_speed * (1 - kSpeedTolerance)) return move.speed_limit;
     if (law.start_speed() > kStandstillTolerance && law.end_speed() > kStandstillTolerance)
         return {LimitKind::corner, -1};
@@ -33,9 +33,9 @@ KlipperModel::KlipperModel(const PlannerSetup& setup, SegmentOutput& output)
 
 PlanResult KlipperModel::add(const PathMove& move) {
     if (move.kind != SegmentKind::circular) return add_line(move);
-    if (!(setup_.controller.arc_resolution_mm > 0)) {
+    if (!(setup_.controller.klipper.arc_resolution_mm > 0)) {
         return make_plan_error(rrs::Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
-                               "This controller knows no arcs: its arc_resolution_mm is 0.");
+                               "This controller does not support arcs: its arc_resolution_mm is 0.");
     }
     PlanResult planned;
     for_each_chord(move, setup_, [&](const PathMove& line) {

@@ -75,10 +75,10 @@ void limit_by_program(const PlannerSetup& setup, const PathMove& line, JointRole
 void set_speed_plans(const PlannerSetup& setup, const PathMove& line, QueuedMove& move) {
     const double path = path_acceleration(setup, line);
     const double full_acceleration = std::isfinite(path) ? path : move.acceleration;
-    const double corner = setup.controller.square_corner_velocity_mm_s;
+    const double corner = setup.controller.klipper.square_corner_velocity_mm_s;
     move.junction_deviation_mm = corner * corner * (std::numbers::sqrt2 - 1) / full_acceleration;
     const double smooth =
-        std::min(full_acceleration * (1 - setup.controller.minimum_cruise_ratio), move.acceleration);
+        std::min(full_acceleration * (1 - setup.controller.klipper.minimum_cruise_ratio), move.acceleration);
     move.full.change = 2 * move.length * move.acceleration;
     move.smooth.change = 2 * move.length * smooth;
 }
@@ -97,10 +97,9 @@ PlanResult check(const QueuedMove& move) {
             fmt::format("The move is too long or too slow: it would take more than {} s.", kMaxDuration_s));
     }
     if (!std::isfinite(move.max_speed) || !std::isfinite(move.acceleration)) {
-        return make_plan_error(
-            rrs::Status::RRS_ZERO_SPEED,
-            "This controller plans no move without limits: neither the path nor an axis of it has "
-            "a greatest speed and a greatest acceleration.");
+        return make_plan_error(rrs::Status::RRS_ZERO_SPEED,
+                               "This controller cannot plan a move without limits: neither the path nor any "
+                               "of its axes has a max speed and a max acceleration.");
     }
     return {};
 }

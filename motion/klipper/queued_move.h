@@ -30,8 +30,8 @@ struct QueuedMove {
 
     double max_speed = kUnlimited;
     double acceleration = kUnlimited;
-    LimitedBy speed_limit;
-    LimitedBy acceleration_limit;
+    LimitCause speed_limit;
+    LimitCause acceleration_limit;
     double junction_deviation_mm = 0;  ///< Deviation of the circle for a corner.
 
     Plan full;               ///< With the acceleration of the move: how fast its ends are.

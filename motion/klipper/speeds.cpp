@@ -9,15 +9,15 @@ namespace {
 using Queue = std::deque<QueuedMove>;
 
 /// Part of the entries of the two plans that is final.
-struct KnownSpeed {
+struct FinalEntries {
     std::size_t full = 0;    ///< Those of the moves up to this one,
     std::size_t smooth = 0;  ///< and of this one also that it speeds up.
 };
 
 /// Further moves can only raise the entry speed from which braking is possible. So an entry limited by its
 /// cap is final, and so are all entries before it.
-KnownSpeed run_backward_pass(Queue& queue) {
-    KnownSpeed known;
+FinalEntries run_backward_pass(Queue& queue) {
+    FinalEntries known;
     double full = 0, smooth = 0;
     for (std::size_t i = queue.size(); i-- > 0;) {
         QueuedMove& move = queue[i];
@@ -39,7 +39,7 @@ double peak_squared(const Plan& plan, double next_entry) {
 }  // namespace
 
 std::size_t plan_speeds(Queue& queue, double last_cruise_squared) {
-    const KnownSpeed known = run_backward_pass(queue);
+    const FinalEntries known = run_backward_pass(queue);
     std::size_t final_count = 0;
     double next_full = 0, next_smooth = 0, peak = 0;
     bool next_speeds_up = true;

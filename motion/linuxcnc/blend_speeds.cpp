@@ -15,27 +15,28 @@ constexpr double kMinBlendRadius_mm = 1e-12;
 
 double blend_tolerance_mm(const SubSegment& sub_segment) {
     const double share = sub_segment.nominal_length / 4;
-    return sub_segment.tolerance_mm > 0 ? std::min(sub_segment.tolerance_mm, share) : share;
+    return sub_segment.junctions.tolerance_mm > 0 ? std::min(sub_segment.junctions.tolerance_mm, share)
+                                                  : share;
 }
 
 // Returns the speed at which the change from one line's limits to the other's is the tightest.
 double turn_speed_limit(const SubSegment& before, const SubSegment& after, const Leg& leg_before,
                         const Leg& leg_after, double turn_rad) {
     const double shared = std::cos(std::min(turn_rad, 0.49 * std::numbers::pi));
-    const double in = std::min(before.max_speed, after.max_speed / shared);
-    const double out = std::min(after.max_speed, before.max_speed / shared);
+    const double in = std::min(before.limits.max_speed, after.limits.max_speed / shared);
+    const double out = std::min(after.limits.max_speed, before.limits.max_speed / shared);
     const double change = (leg_after.direction * out - leg_before.direction * in).norm();
     return change > 0 ? in * out * std::sin(turn_rad) / change : 0;
 }
 
 double override_speed(const SubSegment& sub_segment) {
-    return std::min(sub_segment.requested_speed, sub_segment.max_speed);
+    return std::min(sub_segment.limits.requested_speed, sub_segment.limits.max_speed);
 }
 
 // LinuxCNC does not know the speed that a spindle will request and plans for the maximum (tcGetMaxTargetVel()
 // in tc.c).
 double planned_speed(const SubSegment& sub_segment) {
-    return sub_segment.follows_spindle ? sub_segment.max_speed : override_speed(sub_segment);
+    return sub_segment.follows_spindle ? sub_segment.limits.max_speed : override_speed(sub_segment);
 }
 
 bool is_wide_enough(const BlendSpeeds& blend, double turn_rad) {
@@ -69,7 +70,8 @@ std::optional<BlendSpeeds> blend_speeds(const SubSegment& before, const SubSegme
     const double normal_acceleration = kNormalShare * blend.acceleration;
     const double max_radius_mm = cut_mm * sine / cosine;
     blend.speed = std::min(std::sqrt(normal_acceleration * max_radius_mm), goal);
-    const double jerk = std::min({before.jerk, after.jerk, before.path_jerk, after.path_jerk});
+    const double jerk =
+        std::min({before.limits.jerk, after.limits.jerk, before.limits.path_jerk, after.limits.path_jerk});
     if (std::isfinite(jerk))
         blend.speed = std::min(blend.speed, peak_speed(max_radius_mm, normal_acceleration, jerk));
     // The arc must be long enough to turn at this speed, or to reach it.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPlaneTolerance = 1e-6;
 constexpr double kLengthTolerance_mm = 1e-9;
-constexpr double kMinGapPeriods = 4;        // a shorter remainder of a line is no separate move
+constexpr double kMinRemainderPeriods = 4;  // a shorter remainder of a line is no separate move
 constexpr double kTangentTolerance = 0.25;  // of the acceleration across, for arcs that do not quite touch
 
 bool parallel(const Vector3d& a, const Vector3d& b) {
@@ -62,7 +62,7 @@ Arc arc_between(const Vector3d& center, const Vector3d& start, const Vector3d& e
 }
 
 // The angle of an arc has already been checked.
-bool has_room(const SubSegment& sub_segment, double cut) {
+bool is_long_enough(const SubSegment& sub_segment, double cut) {
     return sub_segment.curved || cut <= sub_segment.length + kLengthTolerance_mm;
 }
 
@@ -85,31 +85,32 @@ void set_blend_limits(SubSegment& sub_segment, const SubSegment& before, const S
     sub_segment.target_id = after.target_id;
     sub_segment.curved = true;
     sub_segment.rapid = before.rapid;
-    sub_segment.end_condition = EndCondition::tangent;
+    sub_segment.junctions.end_condition = EndCondition::tangent;
     sub_segment.is_final = true;
     const bool exact =
         before.path_deviation == PathDeviation::no && after.path_deviation == PathDeviation::no;
     sub_segment.path_deviation = exact ? PathDeviation::corner : PathDeviation::other;
-    sub_segment.requested_speed = speeds.requested_speed;
-    sub_segment.max_speed = speeds.speed;
-    sub_segment.max_path_speed = std::min(before.max_path_speed, after.max_path_speed);
-    sub_segment.full_acceleration = speeds.acceleration;
-    sub_segment.jerk = std::min(before.jerk, after.jerk);
-    sub_segment.path_jerk = std::min(before.path_jerk, after.path_jerk);
+    sub_segment.limits.requested_speed = speeds.requested_speed;
+    sub_segment.limits.max_speed = speeds.speed;
+    sub_segment.limits.max_path_speed = std::min(before.limits.max_path_speed, after.limits.max_path_speed);
+    sub_segment.limits.full_acceleration = speeds.acceleration;
+    sub_segment.limits.jerk = std::min(before.limits.jerk, after.limits.jerk);
+    sub_segment.limits.path_jerk = std::min(before.limits.path_jerk, after.limits.path_jerk);
     const bool is_slowed = speeds.speed < speeds.requested_speed;
-    sub_segment.speed_limit = is_slowed ? LimitedBy{LimitKind::centripetal, -1} : before.speed_limit;
-    sub_segment.acceleration_limit = {LimitKind::centripetal, -1};
+    sub_segment.limits.speed_limit =
+        is_slowed ? LimitCause{LimitKind::centripetal, -1} : before.limits.speed_limit;
+    sub_segment.limits.acceleration_limit = {LimitKind::centripetal, -1};
 }
 
 // A short remainder of a line that would be no separate move becomes part of the blend.
 void absorb_line_remainder(Blend& blend, const SubSegment& before, double period_s) {
     const double remainder = before.length - blend.cut_before;
-    if (before.curved || before.after_parabola) return;
-    if (remainder / blend.sub_segment.max_speed >= kMinGapPeriods * period_s) return;
-    blend.absorbs_before = true;
+    if (before.curved || before.junctions.after_parabola) return;
+    if (remainder / blend.sub_segment.limits.max_speed >= kMinRemainderPeriods * period_s) return;
+    blend.absorbs_previous_line = true;
     blend.sub_segment.start = before.start;
-    blend.sub_segment.lead_in = remainder > kLengthTolerance_mm ? remainder : 0;
-    blend.sub_segment.lead_in_id = before.target_id;
+    blend.sub_segment.lead_in.length = remainder > kLengthTolerance_mm ? remainder : 0;
+    blend.sub_segment.lead_in.target_id = before.target_id;
     blend.sub_segment.direction = before.direction;
 }
 
@@ -122,7 +123,7 @@ std::optional<Blend> blend_between(const SubSegment& before, const SubSegment& a
     const auto speeds = blend_speeds(before, after, corner, in, out, axes);
     if (!speeds) return std::nullopt;
     const auto circle = blend_circle(corner, in, out, *speeds);
-    if (!circle || !has_room(before, circle->cut_before) || !has_room(after, circle->cut_after))
+    if (!circle || !is_long_enough(before, circle->cut_before) || !is_long_enough(after, circle->cut_after))
         return std::nullopt;
     std::optional<Blend> blend(std::in_place);
     blend->cut_before = circle->cut_before;
@@ -140,16 +141,17 @@ std::optional<Blend> blend_between(const SubSegment& before, const SubSegment& a
     axes.set_point(start, sub_segment.start);
     axes.set_point(end, sub_segment.end);
     absorb_line_remainder(*blend, before, planning.period_s);
-    sub_segment.length = sub_segment.arc.radius_mm * sub_segment.arc.sweep_rad + sub_segment.lead_in;
+    sub_segment.length = sub_segment.arc.radius_mm * sub_segment.arc.sweep_rad + sub_segment.lead_in.length;
     sub_segment.nominal_length = sub_segment.length;
-    sub_segment.after_tangent = !blend->absorbs_before || before.after_tangent;
+    sub_segment.junctions.after_tangent = !blend->absorbs_previous_line || before.junctions.after_tangent;
     if (planning.since_2_10) {
-        sub_segment.max_speed = std::min(sub_segment.max_speed, sub_segment.length / planning.period_s);
+        sub_segment.limits.max_speed =
+            std::min(sub_segment.limits.max_speed, sub_segment.length / planning.period_s);
         limit_on_arc(sub_segment, planning);
     }
-    const double min_periods = sub_segment.after_tangent ? kMinPeriods : 1;
-    sub_segment.max_speed =
-        std::min(sub_segment.max_speed, sub_segment.length / (min_periods * planning.period_s));
+    const double min_periods = sub_segment.junctions.after_tangent ? kMinPeriods : 1;
+    sub_segment.limits.max_speed =
+        std::min(sub_segment.limits.max_speed, sub_segment.length / (min_periods * planning.period_s));
     return blend;
 }
 

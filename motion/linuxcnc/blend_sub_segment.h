@@ -13,7 +13,7 @@ struct Blend {
     SubSegment sub_segment;
     double cut_before = 0;  ///< As in BlendCircle.
     double cut_after = 0;
-    bool absorbs_before =
+    bool absorbs_previous_line =
         false;  ///< True if the remainder of the previous line is so short that the blend takes it.
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kShortestPeriod_s = 1e-9;
 
-linuxcnc::Clock make_clock(const rrs::ControllerRules& rules) {
+linuxcnc::Clock make_clock(const rrs::PositionLoopRules& rules) {
     if (!(rules.servo_period_s >= kShortestPeriod_s)) return {.counts = false};
     return {.period_s = rules.servo_period_s, .counts = true};
 }
@@ -21,8 +21,8 @@ linuxcnc::Clock make_clock(const rrs::ControllerRules& rules) {
 linuxcnc::PlanningRules make_planning(const PlannerSetup& setup, const rrs::ControllerRules& rules,
                                       const linuxcnc::Clock& clock) {
     linuxcnc::PlanningRules planning{.period_s = clock.period_s};
-    planning.since_2_10 = rules.linuxcnc_release == rrs::LinuxcncRelease::v2_10;
-    planning.s_curves = planning.since_2_10 && rules.limit_jerk;
+    planning.since_2_10 = rules.linuxcnc.release == rrs::LinuxcncRelease::v2_10;
+    planning.s_curves = planning.since_2_10 && rules.ramps.limit_jerk;
     planning.path_jerk = planning.s_curves ? setup.path.max_jerk_mm_s3 : kUnlimited;
     return planning;
 }
@@ -33,12 +33,13 @@ LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRul
                              SegmentOutput& output)
     : setup_(setup),
       axes_(setup),
-      clock_(make_clock(rules)),
+      clock_(make_clock(rules.position_loop)),
       planning_(make_planning(setup, rules, clock_)),
-      join_rules_{planning_, rules.stop_between_rapid_and_feed, rules.overrides.planned_feed_percent / 100},
+      join_rules_{planning_, rules.corners.stop_between_rapid_and_feed,
+                  rules.overrides.planned_feed_percent / 100},
       merged_(axes_),
       output_(output),
-      velocity_planner_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_, planning_, axes_),
+      velocity_planner_(std::max<std::size_t>(rules.blocks.look_ahead, 1), clock_, planning_, axes_),
       writer_(axes_, output) {}
 
 /// The path of a move that is too short to be made is added to the next line.
@@ -63,7 +64,7 @@ PlanResult LinuxcncModel::add_complete(const PathMove& move) {
     }
     skipped_start_.reset();
     if (sub_segment->turns || !linuxcnc::may_merge(move)) {
-        end_merged();
+        finish_merged_line();
         add_part(*std::move(sub_segment));
         return {};
     }
@@ -79,7 +80,7 @@ PlanResult LinuxcncModel::add_complete(const PathMove& move) {
 }
 
 void LinuxcncModel::plan_to_standstill() {
-    end_merged();
+    finish_merged_line();
     emit(true);
     queue_.clear();
     velocity_planner_.clear();
@@ -97,12 +98,12 @@ void LinuxcncModel::clear() {
 }
 
 void LinuxcncModel::merge(const PathMove& line) {
-    if (!merged_.empty() && !merged_.accepts(line)) end_merged();
+    if (!merged_.empty() && !merged_.accepts(line)) finish_merged_line();
     merged_.add(line);
 }
 
 /// A line that replaces plannable lines is plannable itself, or has no length.
-void LinuxcncModel::end_merged() {
+void LinuxcncModel::finish_merged_line() {
     if (merged_.empty()) return;
     auto sub_segment = linuxcnc::make_sub_segment(setup_, axes_, merged_.line(), planning_);
     const bool several = merged_.several();
@@ -119,7 +120,7 @@ void LinuxcncModel::add_part(SubSegment sub_segment) {
     }
     SubSegment& last = queue_.back().sub_segment;
     const auto blend = linuxcnc::join(last, sub_segment, axes_, join_rules_);
-    if (blend && blend->absorbs_before) {
+    if (blend && blend->absorbs_previous_line) {
         last = blend->sub_segment;
     } else {
         linuxcnc::finalize(last, planning_);

@@ -4,11 +4,11 @@
 
 #include "controller/services/controller_rules.h"
 #include "motion/linuxcnc/axes.h"
-#include "motion/linuxcnc/join.h"
+#include "motion/linuxcnc/junction.h"
 #include "motion/linuxcnc/merged_lines.h"
 #include "motion/linuxcnc/queued_sub_segment.h"
+#include "motion/linuxcnc/segment_writer.h"
 #include "motion/linuxcnc/velocity_planner.h"
-#include "motion/linuxcnc/writer.h"
 #include "motion/planner/motion_model.h"
 #include "motion/planner/planner_setup.h"
 
@@ -42,7 +42,7 @@ class LinuxcncModel final : public MotionModel {
   private:
     PlanResult add_complete(const PathMove& move);
     void merge(const PathMove& line);
-    void end_merged();
+    void finish_merged_line();
     void add_part(linuxcnc::SubSegment sub_segment);
     void push(const linuxcnc::SubSegment& sub_segment);
     void emit(bool ended);

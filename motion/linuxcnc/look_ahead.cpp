@@ -17,8 +17,8 @@ double square(double value) {
 // Returns the squared speed that sub-segment `index` and the next one can have at their junction.
 double junction_cap_squared(const SubSegmentQueue& queue, std::size_t index) {
     const SubSegment& sub_segment = queue[index].sub_segment;
-    double speed = std::min(sub_segment.max_speed, queue[index + 1].sub_segment.max_speed);
-    if (sub_segment.corner_speed >= 0) speed = std::min(speed, sub_segment.corner_speed);
+    double speed = std::min(sub_segment.limits.max_speed, queue[index + 1].sub_segment.limits.max_speed);
+    if (sub_segment.junctions.corner_speed >= 0) speed = std::min(speed, sub_segment.junctions.corner_speed);
     return square(speed);
 }
 
@@ -77,17 +77,17 @@ JunctionSpeed junction_speed(const SubSegmentQueue& queue, std::size_t index, co
 namespace {
 
 double isolated_peak_speed(const SubSegment& sub_segment) {
-    return std::isfinite(sub_segment.jerk)
-               ? peak_speed(sub_segment.length, acceleration(sub_segment), sub_segment.jerk)
+    return std::isfinite(sub_segment.limits.jerk)
+               ? peak_speed(sub_segment.length, acceleration(sub_segment), sub_segment.limits.jerk)
                : kUnlimited;
 }
 
 // Returns the speed at the start of a sub-segment from which it can slow down to its end.
 double start_speed(const SubSegment& sub_segment, double end_speed) {
     const double trapezoid_speed = std::sqrt(square(end_speed) + speed_squared_gain(sub_segment));
-    if (std::isinf(sub_segment.jerk)) return trapezoid_speed;
+    if (std::isinf(sub_segment.limits.jerk)) return trapezoid_speed;
     const double braking_start_speed =
-        ramp_end_speed(sub_segment.length, end_speed, acceleration(sub_segment), sub_segment.jerk);
+        ramp_end_speed(sub_segment.length, end_speed, acceleration(sub_segment), sub_segment.limits.jerk);
     return std::min(trapezoid_speed,
                     std::max(end_speed, std::min(braking_start_speed, isolated_peak_speed(sub_segment))));
 }

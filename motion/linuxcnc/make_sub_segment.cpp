@@ -25,7 +25,7 @@ JointRole sub_segment_role(const JointChanges& changes, bool curved) {
 }
 
 // Largest change of a joint divided by its limit, and the joint that has it.
-struct Need {
+struct LimitRatio {
     double value = 0;
     int joint = -1;
 
@@ -36,16 +36,16 @@ struct Need {
     double along(double length) const { return value > 0 ? length / value : kUnlimited; }
 };
 
-struct JointDemands {
-    Need speed;
-    Need acceleration;
-    Need jerk;
+struct JointLimitRatios {
+    LimitRatio speed;
+    LimitRatio acceleration;
+    LimitRatio jerk;
     bool has_unlimited_jerk = false;  // a joint has no jerk limit
 };
 
 // LinuxCNC uses only the jerks of X, Y and Z round an arc.
-JointDemands joint_demands(const PlannerSetup& setup, const JointChanges& changes, bool curved) {
-    JointDemands demands;
+JointLimitRatios joint_limit_ratios(const PlannerSetup& setup, const JointChanges& changes, bool curved) {
+    JointLimitRatios demands;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double change = std::abs(changes.of(joint));
         if (change == 0) continue;
@@ -68,9 +68,9 @@ double min_in_plane(const Vector3d& limits, const Arc& arc) {
     return min;
 }
 
-void limit_line(SubSegment& sub_segment, const JointDemands& demands) {
-    sub_segment.max_speed = demands.speed.along(sub_segment.length);
-    sub_segment.full_acceleration = demands.acceleration.along(sub_segment.length);
+void limit_line(SubSegment& sub_segment, const JointLimitRatios& demands) {
+    sub_segment.limits.max_speed = demands.speed.along(sub_segment.length);
+    sub_segment.limits.full_acceleration = demands.acceleration.along(sub_segment.length);
 }
 
 // Returns the path length round an arc, by the smaller of its radii.
@@ -80,7 +80,7 @@ double arc_distance_mm(const Arc& arc) {
 }
 
 // The chord counts for the joints, the path round the arc for the axes of its plane.
-void limit_arc(SubSegment& sub_segment, const Axes& axes, JointDemands& demands) {
+void limit_arc(SubSegment& sub_segment, const Axes& axes, JointLimitRatios& demands) {
     const Arc& arc = sub_segment.arc;
     const double acceleration = min_in_plane(axes.max_acceleration_mm_s2(), arc);
     const double change = arc.end_radius_mm - arc.radius_mm;
@@ -89,13 +89,13 @@ void limit_arc(SubSegment& sub_segment, const Axes& axes, JointDemands& demands)
     const double bend_mm = std::hypot(change / arc.sweep_rad, radius_mm);
     const double centripetal_speed = std::sqrt(kNormalShare * acceleration * bend_mm);
     const double speed = std::min(centripetal_speed, min_in_plane(axes.max_speed_mm_s(), arc));
-    if (centripetal_speed <= speed) sub_segment.speed_limit = {LimitKind::centripetal, -1};
+    if (centripetal_speed <= speed) sub_segment.limits.speed_limit = {LimitKind::centripetal, -1};
     demands.speed.raise(arc_mm / speed, -1);
     demands.acceleration.raise(arc_mm / acceleration, -1);
     demands.jerk.raise(arc_mm / min_in_plane(axes.max_jerk_mm_s3(), arc), -1);
     const double full_length_mm = std::hypot(arc_mm, arc.lift.norm());
-    sub_segment.max_speed = demands.speed.along(full_length_mm);
-    sub_segment.full_acceleration = demands.acceleration.along(full_length_mm);
+    sub_segment.limits.max_speed = demands.speed.along(full_length_mm);
+    sub_segment.limits.full_acceleration = demands.acceleration.along(full_length_mm);
 }
 
 double requested_speed_of(const PathMove& move, const SubSegment& sub_segment, JointRole role) {
@@ -104,52 +104,55 @@ double requested_speed_of(const PathMove& move, const SubSegment& sub_segment, J
     return role == JointRole::rotary ? move.rules.orientation_speed_rad_s : move.rules.programmed_speed_mm_s;
 }
 
-LimitedBy joint_limit(LimitKind kind, int joint) {
+LimitCause joint_limit(LimitKind kind, int joint) {
     return {kind, static_cast<std::int8_t>(joint)};
 }
 
-void set_speeds(SubSegment& sub_segment, const PathMove& move, JointRole role, const JointDemands& demands,
-                double period_s) {
+void set_speeds(SubSegment& sub_segment, const PathMove& move, JointRole role,
+                const JointLimitRatios& demands, double period_s) {
     const double limited_speed = requested_speed_of(move, sub_segment, role);
-    if (sub_segment.speed_limit.kind != LimitKind::centripetal || demands.speed.joint >= 0) {
-        sub_segment.speed_limit = joint_limit(LimitKind::joint_speed, demands.speed.joint);
+    if (sub_segment.limits.speed_limit.kind != LimitKind::centripetal || demands.speed.joint >= 0) {
+        sub_segment.limits.speed_limit = joint_limit(LimitKind::joint_speed, demands.speed.joint);
     }
-    if (limited_speed <= sub_segment.max_speed) {
-        sub_segment.speed_limit = {move.rules.min_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1};
+    if (limited_speed <= sub_segment.limits.max_speed) {
+        sub_segment.limits.speed_limit = {move.rules.min_duration_s > 0 ? LimitKind::time : LimitKind::feed,
+                                          -1};
     }
-    sub_segment.requested_speed = std::min(limited_speed, sub_segment.max_speed);
-    sub_segment.path_limited = role != JointRole::rotary;
-    sub_segment.max_path_speed = move.rules.max_path_speed_mm_s;
-    if (sub_segment.path_limited && sub_segment.max_path_speed < sub_segment.requested_speed) {
-        sub_segment.speed_limit = {LimitKind::path_speed, -1};
+    sub_segment.limits.requested_speed = std::min(limited_speed, sub_segment.limits.max_speed);
+    sub_segment.limits.path_limited = role != JointRole::rotary;
+    sub_segment.limits.max_path_speed = move.rules.max_path_speed_mm_s;
+    if (sub_segment.limits.path_limited &&
+        sub_segment.limits.max_path_speed < sub_segment.limits.requested_speed) {
+        sub_segment.limits.speed_limit = {LimitKind::path_speed, -1};
     }
-    sub_segment.max_speed = std::min(sub_segment.max_speed, sub_segment.length / period_s);
+    sub_segment.limits.max_speed = std::min(sub_segment.limits.max_speed, sub_segment.length / period_s);
 }
 
 void set_acceleration(SubSegment& sub_segment, const PathMove& move, JointRole role,
-                      const JointDemands& demands, double period_s) {
-    sub_segment.acceleration_limit = joint_limit(LimitKind::acceleration, demands.acceleration.joint);
+                      const JointLimitRatios& demands, double period_s) {
+    sub_segment.limits.acceleration_limit = joint_limit(LimitKind::acceleration, demands.acceleration.joint);
     const double limit = role == JointRole::rotary ? move.rules.orientation_acceleration_rad_s2
                                                    : move.rules.path_acceleration_mm_s2;
-    if (limit < sub_segment.full_acceleration) {
-        sub_segment.full_acceleration = limit;
-        sub_segment.acceleration_limit = {LimitKind::path_acceleration, -1};
+    if (limit < sub_segment.limits.full_acceleration) {
+        sub_segment.limits.full_acceleration = limit;
+        sub_segment.limits.acceleration_limit = {LimitKind::path_acceleration, -1};
     }
     // The speed is reached within a period if no limit applies.
-    if (!std::isfinite(sub_segment.full_acceleration))
-        sub_segment.full_acceleration = sub_segment.max_speed / period_s;
+    if (!std::isfinite(sub_segment.limits.full_acceleration))
+        sub_segment.limits.full_acceleration = sub_segment.limits.max_speed / period_s;
 }
 
 // One joint without a limit leaves the complete move without S-curves, as in LinuxCNC.
-void set_jerk(SubSegment& sub_segment, JointRole role, const JointDemands& demands,
+void set_jerk(SubSegment& sub_segment, JointRole role, const JointLimitRatios& demands,
               const PlanningRules& planning) {
     if (!planning.s_curves) return;
-    sub_segment.path_jerk = planning.path_jerk * (role == JointRole::rotary ? kRadPerDeg : 1);
+    sub_segment.limits.path_jerk = planning.path_jerk * (role == JointRole::rotary ? kRadPerDeg : 1);
     const double length = sub_segment.curved
                               ? std::hypot(arc_distance_mm(sub_segment.arc), sub_segment.arc.lift.norm())
                               : sub_segment.length;
-    if (!demands.has_unlimited_jerk) sub_segment.jerk = demands.jerk.along(length);
-    if (std::isfinite(sub_segment.jerk)) sub_segment.jerk = std::min(sub_segment.jerk, sub_segment.path_jerk);
+    if (!demands.has_unlimited_jerk) sub_segment.limits.jerk = demands.jerk.along(length);
+    if (std::isfinite(sub_segment.limits.jerk))
+        sub_segment.limits.jerk = std::min(sub_segment.limits.jerk, sub_segment.limits.path_jerk);
 }
 
 EndCondition end_condition_of(rrs::PathMode mode) {
@@ -171,7 +174,7 @@ bool has_speed(const PathMove& move, JointRole role) {
 PlanResult check_values(const PathMove& move, const SubSegment& sub_segment, JointRole role) {
     if (!move.start.allFinite() || !move.end.allFinite() || !(sub_segment.length < kUnlimited)) {
         return make_plan_error(rrs::Status::RRS_INVALID_PARAMETER,
-                               "The move is too long, or leads to no position.");
+                               "The move is too long, or does not lead to a position.");
     }
     if (sub_segment.length == 0) return {};
     if (!has_speed(move, role) || !(move.rules.max_path_speed_mm_s > 0)) return no_programmed_speed_error();
@@ -181,7 +184,7 @@ PlanResult check_values(const PathMove& move, const SubSegment& sub_segment, Joi
 PlanResult check_time(const SubSegment& sub_segment) {
     const double speed = target_speed(sub_segment);
     if (sub_segment.length == 0 ||
-        sub_segment.length / speed + speed / sub_segment.full_acceleration <= kMaxDuration_s)
+        sub_segment.length / speed + speed / sub_segment.limits.full_acceleration <= kMaxDuration_s)
         return {};
     return make_plan_error(
         rrs::Status::RRS_INVALID_PARAMETER,
@@ -209,7 +212,7 @@ void set_path(SubSegment& sub_segment, const Axes& axes, const PathMove& move, c
 
 void set_limits(SubSegment& sub_segment, const PlannerSetup& setup, const Axes& axes, const PathMove& move,
                 const JointChanges& changes, JointRole role, const PlanningRules& planning) {
-    JointDemands demands = joint_demands(setup, changes, sub_segment.curved);
+    JointLimitRatios demands = joint_limit_ratios(setup, changes, sub_segment.curved);
     if (sub_segment.curved) {
         limit_arc(sub_segment, axes, demands);
     } else {
@@ -217,8 +220,8 @@ void set_limits(SubSegment& sub_segment, const PlannerSetup& setup, const Axes& 
     }
     set_speeds(sub_segment, move, role, demands, planning.period_s);
     set_acceleration(sub_segment, move, role, demands, planning.period_s);
-    sub_segment.end_condition = end_condition_of(move.mode);
-    sub_segment.tolerance_mm = move.mode == rrs::PathMode::continuous ? move.tolerance_mm : 0;
+    sub_segment.junctions.end_condition = end_condition_of(move.mode);
+    sub_segment.junctions.tolerance_mm = move.mode == rrs::PathMode::continuous ? move.tolerance_mm : 0;
     set_jerk(sub_segment, role, demands, planning);
     if (sub_segment.curved && planning.since_2_10) limit_on_arc(sub_segment, planning);
 }

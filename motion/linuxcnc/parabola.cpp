@@ -20,14 +20,15 @@ constexpr double kStraight_rad = 0.001;  // a turn by less than twice this needs
 double reachable_speed_to_stop(const SubSegment& sub_segment, double acceleration, double share) {
     const double length = sub_segment.is_final ? sub_segment.length : sub_segment.length / 2;
     double speed = std::sqrt(acceleration * length);
-    if (std::isfinite(sub_segment.jerk))
-        speed = std::min(speed, peak_speed(length, acceleration, sub_segment.path_jerk));
+    if (std::isfinite(sub_segment.limits.jerk))
+        speed = std::min(speed, peak_speed(length, acceleration, sub_segment.limits.path_jerk));
     return std::min(speed, target_speed(sub_segment, share));
 }
 
 double time_to_reach(double speed, double acceleration, const SubSegment& sub_segment) {
-    return std::isfinite(sub_segment.jerk) ? ramp_s(0, speed, acceleration, sub_segment.path_jerk)
-                                           : speed / acceleration;
+    return std::isfinite(sub_segment.limits.jerk)
+               ? ramp_s(0, speed, acceleration, sub_segment.limits.path_jerk)
+               : speed / acceleration;
 }
 
 // The square root is LinuxCNC's own (calcSCurveSpeedWithT() in sp_scurve.c). Speeds fall as the jerk grows,
@@ -35,7 +36,7 @@ double time_to_reach(double speed, double acceleration, const SubSegment& sub_se
 double speed_after(double time_s, double acceleration, const SubSegment& sub_segment, double jerk) {
     const double trapezoid_speed = time_s * acceleration;
     if (std::isinf(jerk)) return trapezoid_speed;
-    const double unit = sub_segment.path_limited ? 1 : kRadPerDeg;
+    const double unit = sub_segment.limits.path_limited ? 1 : kRadPerDeg;
     return std::min(trapezoid_speed, acceleration * std::sqrt(time_s * unit / jerk));
 }
 
@@ -63,7 +64,7 @@ Vector3d parabola_end_direction(const SubSegment& sub_segment) {
 // An arc starts in the direction of its full acceleration at half of its speed.
 Vector3d parabola_start_direction(const SubSegment& sub_segment) {
     if (!sub_segment.curved) return line_direction(sub_segment);
-    const double speed = sub_segment.requested_speed / 2;
+    const double speed = sub_segment.limits.requested_speed / 2;
     const double normal_acceleration = speed * speed / sub_segment.arc.radius_mm;
     return (total_acceleration(sub_segment) * in_plane_tangent(sub_segment.arc, 0) -
             normal_acceleration * sub_segment.arc.u)
@@ -72,7 +73,8 @@ Vector3d parabola_start_direction(const SubSegment& sub_segment) {
 
 // Returns the program's tolerance, in degrees if only rotary joints move.
 double parabola_tolerance(const SubSegment& sub_segment) {
-    return sub_segment.path_limited ? sub_segment.tolerance_mm : sub_segment.tolerance_mm * kRadPerDeg;
+    return sub_segment.limits.path_limited ? sub_segment.junctions.tolerance_mm
+                                           : sub_segment.junctions.tolerance_mm * kRadPerDeg;
 }
 
 }  // namespace
@@ -85,16 +87,16 @@ Parabola parabola_between(const SubSegment& before, const SubSegment& after, dou
     const double blend_s = std::min(
         {before.length / v_before, after.length / v_after,
          std::max(time_to_reach(v_before, a_before, before), time_to_reach(v_after, a_after, after))});
-    double from = std::min(v_before, speed_after(blend_s, a_before, before, before.jerk));
-    double to = std::min(v_after, speed_after(blend_s, a_after, after, before.jerk));
+    double from = std::min(v_before, speed_after(blend_s, a_before, before, before.limits.jerk));
+    double to = std::min(v_after, speed_after(blend_s, a_after, after, before.limits.jerk));
     const double half_angle_rad =
         std::acos(
             std::clamp(-parabola_end_direction(before).dot(parabola_start_direction(after)), -1.0, 1.0)) /
         2;
     const double sharpness = std::cos(half_angle_rad);
-    if (before.tolerance_mm > 0 && sharpness > std::sin(kStraight_rad)) {
+    if (before.junctions.tolerance_mm > 0 && sharpness > std::sin(kStraight_rad)) {
         const double within =
-            speed_within_tolerance(parabola_tolerance(before), sharpness, a_before, before.jerk);
+            speed_within_tolerance(parabola_tolerance(before), sharpness, a_before, before.limits.jerk);
         from = std::min(from, within);
         to = std::min(to, within);
     }

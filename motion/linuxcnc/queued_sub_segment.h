@@ -10,12 +10,12 @@ namespace gsim::motion::linuxcnc {
 struct QueuedSubSegment {
     SubSegment sub_segment;
     Law law;
-    LimitedBy limited_by;
-    bool is_group_end = false;  ///< True if it stops.
-    double overlap_time_s = 0;  ///< Time at its end in which the next group also moves.
-    double emitted_s = 0;       ///< Time of it that has been output.
-    double nearest_mm = 0;      ///< To the corner at its end, while the next group moves, too.
-    bool has_nearest = false;   ///< nearest_mm has been looked for.
+    LimitCause limited_by;
+    bool is_group_end = false;      ///< True if it stops.
+    double overlap_time_s = 0;      ///< Time at its end in which the next group also moves.
+    double emitted_s = 0;           ///< Time of it that has been output.
+    double nearest_mm = 0;          ///< To the corner at its end, while the next group moves, too.
+    bool is_nearest_known = false;  ///< nearest_mm has been looked for.
 
     double remaining_s() const { return law.duration_s() - emitted_s; }
 };

@@ -10,30 +10,31 @@ using Eigen::Vector3d;
 namespace {
 
 double acceleration_without_corners(const SubSegment& sub_segment) {
-    return sub_segment.full_acceleration *
-           (1 - std::max(sub_segment.start_corner_share, sub_segment.end_corner_share));
+    return sub_segment.limits.full_acceleration *
+           (1 - std::max(sub_segment.junctions.start_corner_share, sub_segment.junctions.end_corner_share));
 }
 
 }  // namespace
 
 double total_acceleration(const SubSegment& sub_segment) {
-    const bool is_halved = sub_segment.after_parabola || sub_segment.end_condition == EndCondition::parabola;
+    const bool is_halved =
+        sub_segment.junctions.after_parabola || sub_segment.junctions.end_condition == EndCondition::parabola;
     return acceleration_without_corners(sub_segment) * (is_halved ? 0.5 : 1.0);
 }
 
 double acceleration(const SubSegment& sub_segment) {
-    return total_acceleration(sub_segment) * (sub_segment.curved ? sub_segment.tangential_share : 1.0);
+    return total_acceleration(sub_segment) * (sub_segment.curved ? sub_segment.limits.tangential_share : 1.0);
 }
 
 double isolated_acceleration(const SubSegment& sub_segment, const PlanningRules& planning) {
     if (!planning.since_2_10) return acceleration(sub_segment);
     return acceleration_without_corners(sub_segment) *
-           (sub_segment.curved ? sub_segment.tangential_share : 1.0);
+           (sub_segment.curved ? sub_segment.limits.tangential_share : 1.0);
 }
 
 double target_speed(const SubSegment& sub_segment, double share) {
-    const double speed = std::min(sub_segment.requested_speed * share, sub_segment.max_speed);
-    return sub_segment.path_limited ? std::min(speed, sub_segment.max_path_speed) : speed;
+    const double speed = std::min(sub_segment.limits.requested_speed * share, sub_segment.limits.max_speed);
+    return sub_segment.limits.path_limited ? std::min(speed, sub_segment.limits.max_path_speed) : speed;
 }
 
 Vector3d start_direction(const SubSegment& sub_segment) {
@@ -65,26 +66,27 @@ namespace {
 // The limit assumes that the normal acceleration comes within a period at the start of the arc, and again at
 // its end.
 double speed_by_jerk(const SubSegment& sub_segment, double radius_mm, const PlanningRules& planning) {
-    const double normal_jerk_speed = std::cbrt(radius_mm * radius_mm * sub_segment.path_jerk *
+    const double normal_jerk_speed = std::cbrt(radius_mm * radius_mm * sub_segment.limits.path_jerk *
                                                sub_segment.arc.sweep_rad / (2 + sub_segment.arc.sweep_rad));
     const double tangential_jerk_speed =
-        sub_segment.path_jerk * radius_mm / (3 * kTangentialShare * total_acceleration(sub_segment));
-    return std::min({std::sqrt(sub_segment.path_jerk * radius_mm * planning.period_s), normal_jerk_speed,
-                     tangential_jerk_speed});
+        sub_segment.limits.path_jerk * radius_mm / (3 * kTangentialShare * total_acceleration(sub_segment));
+    return std::min({std::sqrt(sub_segment.limits.path_jerk * radius_mm * planning.period_s),
+                     normal_jerk_speed, tangential_jerk_speed});
 }
 
 void limit_by_acceleration(SubSegment& sub_segment, double radius_mm) {
     const double acceleration_limit = total_acceleration(sub_segment);
-    const double normal_acceleration = sub_segment.max_speed * sub_segment.max_speed / radius_mm;
+    const double normal_acceleration =
+        sub_segment.limits.max_speed * sub_segment.limits.max_speed / radius_mm;
     if (normal_acceleration > kNormalShare * acceleration_limit) {
-        sub_segment.max_speed = std::sqrt(kNormalShare * acceleration_limit * radius_mm);
-        sub_segment.tangential_share = kTangentialShare;
-        if (sub_segment.max_speed < sub_segment.requested_speed)
-            sub_segment.speed_limit = {LimitKind::centripetal, -1};
+        sub_segment.limits.max_speed = std::sqrt(kNormalShare * acceleration_limit * radius_mm);
+        sub_segment.limits.tangential_share = kTangentialShare;
+        if (sub_segment.limits.max_speed < sub_segment.limits.requested_speed)
+            sub_segment.limits.speed_limit = {LimitKind::centripetal, -1};
         return;
     }
     const double share = normal_acceleration / acceleration_limit;
-    sub_segment.tangential_share = std::sqrt(1 - share * share);
+    sub_segment.limits.tangential_share = std::sqrt(1 - share * share);
 }
 
 }  // namespace
@@ -92,21 +94,22 @@ void limit_by_acceleration(SubSegment& sub_segment, double radius_mm) {
 void limit_on_arc(SubSegment& sub_segment, const PlanningRules& planning) {
     const double radius_mm = effective_radius_mm(sub_segment.arc);
     limit_by_acceleration(sub_segment, radius_mm);
-    if (!std::isfinite(sub_segment.path_jerk)) return;
+    if (!std::isfinite(sub_segment.limits.path_jerk)) return;
     const double speed = speed_by_jerk(sub_segment, radius_mm, planning);
-    if (speed >= sub_segment.max_speed) return;
-    sub_segment.max_speed = speed;
-    if (speed < sub_segment.requested_speed) sub_segment.speed_limit = {LimitKind::jerk, -1};
+    if (speed >= sub_segment.limits.max_speed) return;
+    sub_segment.limits.max_speed = speed;
+    if (speed < sub_segment.limits.requested_speed) sub_segment.limits.speed_limit = {LimitKind::jerk, -1};
     const double share = speed * speed / radius_mm / total_acceleration(sub_segment);
-    if (share < 1) sub_segment.tangential_share = std::sqrt(1 - share * share);
+    if (share < 1) sub_segment.limits.tangential_share = std::sqrt(1 - share * share);
 }
 
 void finalize(SubSegment& sub_segment, const PlanningRules& planning) {
-    sub_segment.max_speed = std::min(sub_segment.max_speed, sub_segment.length / planning.period_s);
+    sub_segment.limits.max_speed =
+        std::min(sub_segment.limits.max_speed, sub_segment.length / planning.period_s);
     if (sub_segment.curved) limit_on_arc(sub_segment, planning);
-    if (sub_segment.after_tangent) {
-        sub_segment.max_speed =
-            std::min(sub_segment.max_speed, sub_segment.length / (kMinPeriods * planning.period_s));
+    if (sub_segment.junctions.after_tangent) {
+        sub_segment.limits.max_speed =
+            std::min(sub_segment.limits.max_speed, sub_segment.length / (kMinPeriods * planning.period_s));
     }
     sub_segment.is_final = true;
 }

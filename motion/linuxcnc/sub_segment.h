@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "controller/services/types.h"
-#include "motion/linuxcnc/planning.h"
+#include "motion/linuxcnc/planning_rules.h"
 #include "motion/path/arc.h"
 #include "motion/planner/override_schedule.h"
 #include "motion/segment/segment.h"
@@ -26,6 +26,37 @@ enum class EndCondition : std::uint8_t {
     tangent,   ///< At the speed at which the next one starts.
 };
 
+/// Limits of the motion along a sub-segment, in mm or, if only rotary joints move, in rad.
+struct SubSegmentLimits {
+    double requested_speed = 0;
+    double max_speed = 0;
+    double max_path_speed = 0;
+    bool path_limited = true;  ///< True if max_path_speed counts: not if only rotary joints move.
+    double full_acceleration = 0;
+    double tangential_share = kTangentialShare;  ///< Only for an arc.
+    double jerk = kUnlimited;                    ///< Jerk of its ramps.
+    double path_jerk = kUnlimited;               ///< That of any path; across arcs, too.
+    LimitCause speed_limit;
+    LimitCause acceleration_limit;
+};
+
+/// Passage from the sub-segment before and to the next one.
+struct SubSegmentJunctions {
+    EndCondition end_condition = EndCondition::stop;
+    double tolerance_mm = 0;        ///< Tolerance for cutting its corners; 0: without limit.
+    bool after_parabola = false;    ///< True if it starts while the one before stops.
+    bool after_tangent = false;     ///< Starts at the speed of the one before.
+    double corner_speed = -1;       ///< Corner speed at the end if it limits the speed there; -1: no limit.
+    double start_corner_share = 0;  ///< Shares of the acceleration that are kept for the kinks at its ends.
+    double end_corner_share = 0;
+};
+
+/// Straight line on which a blend arc begins.
+struct LeadIn {
+    double length = 0;
+    rrs::TargetId target_id = 0;
+};
+
 /// Line or arc with the limits of the speed along it, in mm or, if only rotary joints move, in rad.
 struct SubSegment {
     rrs::TargetId target_id = 0;
@@ -33,8 +64,8 @@ struct SubSegment {
     bool rapid = false;
     EnabledOverrides enabled_overrides;
     bool follows_spindle = false;
-    bool turns = false;        ///< Moves joints other than X, Y and Z.
-    bool path_limited = true;  ///< True if max_path_speed counts: not if only rotary joints move.
+    bool turns = false;     ///< Moves joints other than X, Y and Z.
+    bool is_final = false;  ///< True if the next one is known: lengths and limits are final.
     rrs::JointPos start;
     rrs::JointPos end;
     Arc arc;
@@ -43,30 +74,11 @@ struct SubSegment {
 
     double length = 0;
     double nominal_length = 0;  ///< Before anything was cut off for blend arcs.
-    double requested_speed = 0;
-    double max_speed = 0;
-    double max_path_speed = 0;
-    double full_acceleration = 0;
-    double tangential_share = kTangentialShare;  ///< Only for an arc.
-    double jerk = kUnlimited;                    ///< Jerk of its ramps.
-    double path_jerk = kUnlimited;               ///< That of any path; across arcs, too.
-    double tolerance_mm = 0;                     ///< Tolerance for cutting its corners; 0: without limit.
-
-    EndCondition end_condition = EndCondition::stop;
-    bool after_parabola = false;    ///< True if it starts while the one before stops.
-    bool after_tangent = false;     ///< Starts at the speed of the one before.
-    bool is_final = false;          ///< True if the next one is known: lengths and limits are final.
-    double corner_speed = -1;       ///< Corner speed at the end if it limits the speed there; -1: no limit.
-    double start_corner_share = 0;  ///< Shares of the acceleration that are kept for the kinks at its ends.
-    double end_corner_share = 0;
-
-    double lead_in = 0;  ///< Length of the straight line on which a blend arc begins.
-    rrs::TargetId lead_in_id = 0;
+    SubSegmentLimits limits;
+    SubSegmentJunctions junctions;
+    LeadIn lead_in;
     double deviation_mm = 0;  ///< Distance of a blend arc from the corner.
     PathDeviation path_deviation = PathDeviation::no;
-
-    LimitedBy speed_limit;
-    LimitedBy acceleration_limit;
 };
 
 /// Returns the acceleration that a sub-segment has for both its speed along the path and its curvature across

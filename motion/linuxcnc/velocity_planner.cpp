@@ -11,18 +11,18 @@ namespace gsim::motion::linuxcnc {
 namespace {
 
 constexpr double kMinRampTime_s = 0.01;  // feed sub-segments of less time than this are one ramp
-constexpr std::size_t kKeptSubSegments =
+constexpr std::size_t kMaxRetainedSubSegments =
     4;  // a group's end never starts to be shared earlier than with these
 
 // Returns the limit that kept the sub-segment from being faster. `slowed_by` is the limit of the speed at its
 // end.
-LimitedBy limit_cause(const SubSegment& sub_segment, double share, const Law& law, bool starts_at_standstill,
-                      bool ends_at_standstill, LimitKind slowed_by) {
+LimitCause limit_cause(const SubSegment& sub_segment, double share, const Law& law, bool starts_at_standstill,
+                       bool ends_at_standstill, LimitKind slowed_by) {
     if (law.top_speed() >= target_speed(sub_segment, share) * (1 - 1e-6)) {
-        return sub_segment.rapid && share < 1 ? LimitedBy{LimitKind::rapid_override, -1}
-                                              : sub_segment.speed_limit;
+        return sub_segment.rapid && share < 1 ? LimitCause{LimitKind::rapid_override, -1}
+                                              : sub_segment.limits.speed_limit;
     }
-    if (starts_at_standstill && ends_at_standstill) return sub_segment.acceleration_limit;
+    if (starts_at_standstill && ends_at_standstill) return sub_segment.limits.acceleration_limit;
     if (starts_at_standstill || ends_at_standstill) return {LimitKind::stop, -1};
     return {slowed_by, -1};
 }
@@ -33,8 +33,8 @@ constexpr double kMinLengthFactor = 1000;     // times that: shorter distances r
 // LinuxCNC ends an S-curve in the first period in which almost no distance remains. The returned law ends
 // with that period; `before_s` is the time before the law.
 Law trim_creep(const Law& law, const SubSegment& sub_segment, double before_s, double period_s) {
-    const double negligible = kRemainderTolerance * (sub_segment.path_limited ? 1 : kRadPerDeg);
-    if (std::isinf(sub_segment.jerk) || law.length() < kMinLengthFactor * negligible) return law;
+    const double negligible = kRemainderTolerance * (sub_segment.limits.path_limited ? 1 : kRadPerDeg);
+    if (std::isinf(sub_segment.limits.jerk) || law.length() < kMinLengthFactor * negligible) return law;
     const double min_s = before_s + law.time_at(law.length() - negligible);
     const double end_s = std::ceil(min_s / period_s - kPeriodTolerance) * period_s - before_s;
     return end_s < law.duration_s() ? law.shortened(law.duration_s() - end_s) : law;
@@ -53,7 +53,7 @@ void VelocityPlanner::advance(SubSegmentQueue& queue, bool ended) {
 }
 
 std::size_t VelocityPlanner::ready() const {
-    return next_ - std::min(group_.sub_segments, kKeptSubSegments);
+    return next_ - std::min(group_.sub_segments, kMaxRetainedSubSegments);
 }
 
 void VelocityPlanner::drop(std::size_t count) {
@@ -69,7 +69,7 @@ void VelocityPlanner::clear() {
 void VelocityPlanner::find_run_end(const SubSegmentQueue& queue) {
     tangent_end_ = std::max(tangent_end_, next_);
     const auto tangent = [&](std::size_t index) {
-        return queue[index].sub_segment.end_condition == EndCondition::tangent &&
+        return queue[index].sub_segment.junctions.end_condition == EndCondition::tangent &&
                !(ended_ && index + 1 == final_count_);
     };
     while (tangent_end_ < final_count_ && tangent(tangent_end_)) ++tangent_end_;
@@ -80,7 +80,7 @@ void VelocityPlanner::find_run_end(const SubSegmentQueue& queue) {
 bool VelocityPlanner::can_plan_next(const SubSegmentQueue& queue) const {
     if (!is_end_known_) return next_ + depth_ < final_count_;
     const bool blends =
-        tangent_end_ == next_ && queue[next_].sub_segment.end_condition == EndCondition::parabola;
+        tangent_end_ == next_ && queue[next_].sub_segment.junctions.end_condition == EndCondition::parabola;
     return !blends || ended_ || next_ + 1 < final_count_;
 }
 
@@ -112,10 +112,10 @@ void VelocityPlanner::plan_next(SubSegmentQueue& queue) {
 }
 
 Profile VelocityPlanner::make_profile(SubSegmentQueue& queue, LimitKind& slowed_by) {
-    return is_end_known_ && tangent_end_ == next_ ? last_profile(queue) : pass_profile(queue, slowed_by);
+    return is_end_known_ && tangent_end_ == next_ ? last_profile(queue) : passing_profile(queue, slowed_by);
 }
 
-Profile VelocityPlanner::pass_profile(const SubSegmentQueue& queue, LimitKind& slowed_by) const {
+Profile VelocityPlanner::passing_profile(const SubSegmentQueue& queue, LimitKind& slowed_by) const {
     const SubSegment& sub_segment = queue[next_].sub_segment;
     const JunctionSpeed junction = planning_.s_curves ? curved_junction_speed(queue, next_, horizon())
                                                       : junction_speed(queue, next_, horizon());
@@ -127,7 +127,7 @@ Profile VelocityPlanner::pass_profile(const SubSegmentQueue& queue, LimitKind& s
     const double mean_speed = (group_.speed + std::min(junction.speed, target_speed_limit)) / 2;
     const Law start = start_law(sub_segment);
     const double from = start_speed(start);
-    Stretch section = make_stretch(sub_segment);
+    Stretch section = make_path_section(sub_segment);
     section.length -= start.length();
     const bool reaches_end_speed =
         from * from + 2 * section.acceleration * section.length <= end_speed * end_speed;
@@ -140,7 +140,7 @@ Profile VelocityPlanner::pass_profile(const SubSegmentQueue& queue, LimitKind& s
 
 // A group takes full periods: it dwells for the remainder of the last one.
 Profile VelocityPlanner::last_profile(const SubSegmentQueue& queue) {
-    Stretch section = make_stretch(queue[next_].sub_segment);
+    Stretch section = make_path_section(queue[next_].sub_segment);
     const bool has_late_overlap = overlaps_late(queue, next_);
     const bool starts_at_standstill = group_.sub_segments == 0 && overlap_acceleration_ <= 0;
     if (starts_at_standstill && !has_late_overlap && std::isinf(section.jerk))
@@ -164,7 +164,7 @@ void VelocityPlanner::end_group(SubSegmentQueue& queue, const Profile& profile) 
     double overlap = 0;
     const bool has_late_overlap = overlaps_late(queue, next_ - 1);
     overlap_acceleration_ = 0;
-    if (last.sub_segment.end_condition == EndCondition::parabola && next_ < queue.size()) {
+    if (last.sub_segment.junctions.end_condition == EndCondition::parabola && next_ < queue.size()) {
         overlap = has_late_overlap ? profile.braking_time_s : overlap_s(queue, profile);
         if (has_late_overlap) overlap_acceleration_ = overlap_acceleration(queue);
         overlap = std::clamp(overlap, 0.0, std::max(0.0, group_.duration_s - overlap_before_s_));
@@ -182,7 +182,7 @@ double VelocityPlanner::overlap_s(const SubSegmentQueue& queue, const Profile& p
     const double before = parabola_between(last, next, override_share(last), override_share(next)).before;
     const double braking_time_s = profile.braking_time_s;
     const double slowing_s =
-        std::isfinite(last.jerk) ? time_below_speed_s(profile, before) : before / acceleration(last);
+        std::isfinite(last.limits.jerk) ? time_below_speed_s(profile, before) : before / acceleration(last);
     if (!clock_.counts) return std::min(slowing_s, braking_time_s);
     const double slow = slowing_s / clock_.period_s, brake = braking_time_s / clock_.period_s;
     const double periods = std::ceil(brake - kPeriodTolerance);

@@ -56,13 +56,13 @@ class VelocityPlanner {
     double override_share(const SubSegment& sub_segment) const {
         return sub_segment.enabled_overrides.share(overrides_, sub_segment.rapid);
     }
-    Stretch make_stretch(const SubSegment& sub_segment) const;
+    Stretch make_path_section(const SubSegment& sub_segment) const;
     Profile overridden_profile(SubSegmentQueue& queue, LimitKind& slowed_by);
     Profile braking_profile(SubSegmentQueue& queue);
     Profile curved_braking_profile(SubSegmentQueue& queue);
     Profile cut_profile(SubSegmentQueue& queue, const Profile& profile, double t_s);
     void split(SubSegmentQueue& queue, double length);
-    Profile pass_profile(const SubSegmentQueue& queue, LimitKind& slowed_by) const;
+    Profile passing_profile(const SubSegmentQueue& queue, LimitKind& slowed_by) const;
     Profile last_profile(const SubSegmentQueue& queue);
     void end_group(SubSegmentQueue& queue, const Profile& profile);
     double overlap_s(const SubSegmentQueue& queue, const Profile& profile) const;

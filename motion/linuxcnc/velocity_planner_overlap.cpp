@@ -20,15 +20,16 @@ constexpr double kLostSpeedShare = 1 - 1 / std::numbers::sqrt2;
 
 bool VelocityPlanner::overlaps_late(const SubSegmentQueue& queue, std::size_t index) const {
     return planning_.since_2_10 && !planning_.s_curves &&
-           queue[index].sub_segment.end_condition == EndCondition::parabola && index + 1 < queue.size();
+           queue[index].sub_segment.junctions.end_condition == EndCondition::parabola &&
+           index + 1 < queue.size();
 }
 
 /// Returns how the next sub-segment begins, if it is the first of its group and the last one is still active,
 /// or if it begins with an acceleration.
 Law VelocityPlanner::start_law(const SubSegment& sub_segment) const {
     Law start;
-    if (group_.acceleration != 0 && std::isfinite(sub_segment.jerk)) {
-        start = acceleration_ramp_down(group_.speed, group_.acceleration, sub_segment.jerk);
+    if (group_.acceleration != 0 && std::isfinite(sub_segment.limits.jerk)) {
+        start = acceleration_ramp_down(group_.speed, group_.acceleration, sub_segment.limits.jerk);
         return start.length() < sub_segment.length ? start : Law();
     }
     if (group_.sub_segments > 0 || overlap_acceleration_ <= 0) return start;

@@ -10,9 +10,9 @@
 
 namespace gsim::motion::linuxcnc {
 
-Stretch VelocityPlanner::make_stretch(const SubSegment& sub_segment) const {
+Stretch VelocityPlanner::make_path_section(const SubSegment& sub_segment) const {
     return {sub_segment.length, target_speed(sub_segment, override_share(sub_segment)),
-            isolated_acceleration(sub_segment, planning_), sub_segment.jerk};
+            isolated_acceleration(sub_segment, planning_), sub_segment.limits.jerk};
 }
 
 /// Returns the motion of the next sub-segment, or of its part up to an override change. The other part is
@@ -49,7 +49,7 @@ Profile VelocityPlanner::overridden_profile(SubSegmentQueue& queue, LimitKind& s
 /// Brakes as hard as the sub-segment can, to standstill or to its end.
 Profile VelocityPlanner::braking_profile(SubSegmentQueue& queue) {
     const SubSegment& sub_segment = queue[next_].sub_segment;
-    if (std::isfinite(sub_segment.jerk)) return curved_braking_profile(queue);
+    if (std::isfinite(sub_segment.limits.jerk)) return curved_braking_profile(queue);
     const double a = isolated_acceleration(sub_segment, planning_);
     const double distance = group_.speed * group_.speed / (2 * a);
     if (distance < sub_segment.length - kMinPart) {
@@ -64,7 +64,7 @@ Profile VelocityPlanner::braking_profile(SubSegmentQueue& queue) {
 Profile VelocityPlanner::curved_braking_profile(SubSegmentQueue& queue) {
     const SubSegment& sub_segment = queue[next_].sub_segment;
     const Law start = start_law(sub_segment);
-    Stretch section = make_stretch(sub_segment);
+    Stretch section = make_path_section(sub_segment);
     section.length -= start.length();
     const double from = start_speed(start);
     const bool stops = is_end_known_ && tangent_end_ == next_;
@@ -82,7 +82,8 @@ Profile VelocityPlanner::cut_profile(SubSegmentQueue& queue, const Profile& prof
     Profile part;
     part.law = profile.law.part(0, t_s);
     part.end_speed = profile.law.speed_at(t_s);
-    if (std::isfinite(queue[next_].sub_segment.jerk)) part.end_acceleration = part.law.end_acceleration();
+    if (std::isfinite(queue[next_].sub_segment.limits.jerk))
+        part.end_acceleration = part.law.end_acceleration();
     split(queue, distance);
     return part;
 }
@@ -94,28 +95,30 @@ void VelocityPlanner::split(SubSegmentQueue& queue, double length) {
     ++final_count_;
     SubSegment& first = queue[next_].sub_segment;
     SubSegment& second = queue[next_ + 1].sub_segment;
-    const bool is_halved = first.after_parabola || first.end_condition == EndCondition::parabola;
-    const bool is_on_lead_in = first.lead_in > 0 && length <= first.lead_in + kMinPart;
-    if (is_on_lead_in) length = std::min(length, first.lead_in);
-    const SubSegment full_piece = first;
-    const PathPart part = path_part(full_piece, *axes_, is_on_lead_in ? 0 : full_piece.lead_in, length);
+    const bool is_halved =
+        first.junctions.after_parabola || first.junctions.end_condition == EndCondition::parabola;
+    const bool is_on_lead_in = first.lead_in.length > 0 && length <= first.lead_in.length + kMinPart;
+    if (is_on_lead_in) length = std::min(length, first.lead_in.length);
+    const SubSegment full_sub_segment = first;
+    const PathPart part =
+        path_part(full_sub_segment, *axes_, is_on_lead_in ? 0 : full_sub_segment.lead_in.length, length);
     first.end = second.start = part.end;
     first.length = length;
-    second.length = full_piece.length - length;
-    first.end_condition = EndCondition::tangent;
-    first.after_parabola = second.after_parabola = is_halved;
-    first.corner_speed = -1;
+    second.length = full_sub_segment.length - length;
+    first.junctions.end_condition = EndCondition::tangent;
+    first.junctions.after_parabola = second.junctions.after_parabola = is_halved;
+    first.junctions.corner_speed = -1;
     first.deviation_mm = 0;
     if (is_on_lead_in) {
         first.curved = false;
-        first.target_id = full_piece.lead_in_id;
-        first.lead_in = 0;
-        second.lead_in -= length;
+        first.target_id = full_sub_segment.lead_in.target_id;
+        first.lead_in.length = 0;
+        second.lead_in.length -= length;
         return;
     }
-    second.lead_in = 0;
-    if (!full_piece.curved) return;
-    const PathPart standstill = path_part(full_piece, *axes_, length, full_piece.length);
+    second.lead_in.length = 0;
+    if (!full_sub_segment.curved) return;
+    const PathPart standstill = path_part(full_sub_segment, *axes_, length, full_sub_segment.length);
     first.curved = part.curved;
     second.curved = standstill.curved;
     first.arc = part.arc;

@@ -49,7 +49,7 @@ class BlendSpeedLimits {
         for (int joint = 0; joint < setup.joint_count(); ++joint) {
             const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
             add({std::abs(turn[joint]), limits.min_acceleration(),
-                 setup.controller.limit_jerk ? limits.max_jerk : kUnlimited});
+                 setup.controller.ramps.limit_jerk ? limits.max_jerk : kUnlimited});
         }
         // The acceleration along the path is largest at the ends of a blend, with half of the turn as its
         // share.
@@ -100,12 +100,12 @@ double max_cut_within(double tolerance, double turn, bool smooth) {
 
 double largest_cut(const PlannerSetup& setup, const Block& from, const Block& to,
                    const DirectionChangeNorms& norms, bool smooth) {
-    const rrs::ControllerRules& controller = setup.controller;
+    const rrs::CornerRules& corners = setup.controller.corners;
     const bool programmed = from.move.mode == rrs::PathMode::continuous && from.move.tolerance_mm > 0;
-    const double tolerance_mm = programmed ? from.move.tolerance_mm : controller.blend_tolerance_mm;
+    const double tolerance_mm = programmed ? from.move.tolerance_mm : corners.blend_tolerance_mm;
     return std::min({kMaxCutShare * from.master.length, kMaxCutShare * to.master.length,
                      max_cut_within(tolerance_mm, norms.prismatic, smooth),
-                     max_cut_within(controller.blend_tolerance_deg * kRadPerDeg, norms.rotary, smooth)});
+                     max_cut_within(corners.blend_tolerance_deg * kRadPerDeg, norms.rotary, smooth)});
 }
 
 /// Ramps that both blocks can do, up and down.
@@ -163,9 +163,9 @@ Blend blend_at(const PlannerSetup& setup, const Block& from, const Block& to, do
 }
 
 double min_blend_speed(const Block& from, const Block& to) {
-    constexpr double kShare = 0.45;  // blends at joint limits are passed at half of it at least
+    constexpr double kMinBlendSpeedShare = 0.45;  // blends at joint limits are passed at half of it at least
     const auto [acceleration, jerk] = CommonRamp(from, to);
-    return kShare * reachable_speed(to.entry_blend.cut, 0, acceleration, jerk);
+    return kMinBlendSpeedShare * reachable_speed(to.entry_blend.cut, 0, acceleration, jerk);
 }
 
 }  // namespace gsim::motion

@@ -55,7 +55,7 @@ double min_blend_speed(const Block& from, const Block& to);
 
 /// Outputs the blend at the start of `to`, passed at `speed` > 0, as two segments: the path to the point
 /// nearest to the corner, at which the first move reaches its target, and the path from there.
-void emit_blend(const Block& from, const Block& to, double speed, LimitedBy limited_by,
+void emit_blend(const Block& from, const Block& to, double speed, LimitCause limited_by,
                 SegmentOutput& output);
 
 }  // namespace gsim::motion

@@ -32,8 +32,8 @@ HalfLaws second_half(bool smooth, double speed, double half_s) {
 
 /// Ends of the parts of both lines that are passed in one half, as path lengths.
 struct HalfPaths {
-    double leaving_from, leaving_to;
-    double entering_from, entering_to;
+    double leaving_from, exit_to;
+    double entering_from, entry_to;
 };
 
 double length_mm(const Block& from, const Segment& segment, double cut) {
@@ -49,11 +49,11 @@ void fill(const Block& from, const Block& to, const HalfPaths& ways, const HalfL
     superimposed->position_joints = segment.position_joints;
     superimposed->duration_s = segment.duration_s = laws.leaving.duration_s();
     superimposed->start = to.line_at(ways.entering_from);
-    superimposed->end = to.line_at(ways.entering_to);
+    superimposed->end = to.line_at(ways.entry_to);
     superimposed->master = laws.entering;
     const rrs::JointPos moved = superimposed->start - to.move.start;
     segment.start = from.line_at(ways.leaving_from) + moved;
-    segment.end = from.line_at(ways.leaving_to) + moved;
+    segment.end = from.line_at(ways.exit_to) + moved;
     segment.master = laws.leaving;
     segment.master_limits = {};
     segment.path_deviation = PathDeviation::corner;
@@ -63,7 +63,7 @@ void fill(const Block& from, const Block& to, const HalfPaths& ways, const HalfL
 
 }  // namespace
 
-void emit_blend(const Block& from, const Block& to, double speed, LimitedBy limited_by,
+void emit_blend(const Block& from, const Block& to, double speed, LimitCause limited_by,
                 SegmentOutput& output) {
     const Blend& blend = to.entry_blend;
     const double half_s = blend.cut / speed;

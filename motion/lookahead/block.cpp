@@ -33,7 +33,7 @@ rrs::JointPos joint_shares(const PathMove& move, const PlannerSetup& setup, cons
     return shares;
 }
 
-void limit(double& value, LimitedBy& by, double other, LimitedBy other_by) {
+void limit(double& value, LimitCause& by, double other, LimitCause other_by) {
     if (other >= value) return;
     value = other;
     by = other_by;
@@ -49,7 +49,7 @@ void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Blo
         limit(block.acceleration, block.acceleration_limit, limits.max_acceleration / share,
               {LimitKind::acceleration, index});
         block.deceleration = std::min(block.deceleration, limits.deceleration() / share);
-        if (setup.controller.limit_jerk)
+        if (setup.controller.ramps.limit_jerk)
             limit(block.jerk, block.jerk_limit, limits.max_jerk / share, {LimitKind::jerk, index});
     }
 }
@@ -67,14 +67,14 @@ bool is_rotary_only(const JointChanges& changes) {
 /// Returns the programmed speed along the master axes: of the tool, or of orientation if only rotary joints
 /// move. It is converted if the measure is of all axes.
 double programmed_speed(const PathMove& move, const MoveRules& rules, const JointChanges& changes,
-                        const Block& block, const rrs::ControllerRules& controller) {
+                        const Block& block, const rrs::BlockRules& blocks) {
     if (rules.min_duration_s > 0) return block.master.length / rules.min_duration_s;
     if (block.master.role == JointRole::rotary) return rules.orientation_speed_rad_s;
     if (move.rapid) return kUnlimited;
-    const bool measures_all_axes = controller.path_measure == rrs::PathMeasure::all_axes;
+    const bool measures_all_axes = blocks.path_measure == rrs::PathMeasure::all_axes;
     if (measures_all_axes && is_rotary_only(changes)) return rules.orientation_speed_rad_s / kRadPerDeg;
-    const double feed = std::max(rules.programmed_speed_mm_s, controller.min_feed_mm_min / 60);
-    if (!measures_all_axes || controller.feed_measure == rrs::PathMeasure::all_axes) return feed;
+    const double feed = std::max(rules.programmed_speed_mm_s, blocks.min_feed_mm_min / 60);
+    if (!measures_all_axes || blocks.feed_measure == rrs::PathMeasure::all_axes) return feed;
     return feed * block.master.length / linear_distance(changes);
 }
 
@@ -88,7 +88,7 @@ void limit_by_program(const PathMove& move, const MoveRules& requested, const Pl
     const double turn = rotation_angle(move, changes);
     const MoveRules rules = requested.with_dominance(turn > 0 && block.master.role != JointRole::rotary);
     limit(block.max_speed, block.speed_limit,
-          programmed_speed(move, requested, changes, block, setup.controller),
+          programmed_speed(move, requested, changes, block, setup.controller.blocks),
           {requested.min_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1});
     if (block.master.role != JointRole::rotary) {
         limit(block.max_speed, block.speed_limit, rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
@@ -137,7 +137,7 @@ void limit_master(Block& block, const Limit& limit) {
 /// The acceleration of a joint is shared on a curve: one part keeps to the curve, the other one changes the
 /// speed, at right angles to each other.
 void limit_by_curvature(const PathMove& move, const PlannerSetup& setup, Block& block) {
-    const double share = setup.controller.centripetal_share;
+    const double share = setup.controller.ramps.centripetal_share;
     if (!std::isfinite(share)) return;
     const double curvature = move.arc.max_curvature();
     const double centripetal_acceleration = share * acceleration_in_plane(setup, move.arc);
@@ -178,8 +178,8 @@ void limit_by_joint_curvature(const PlannerSetup& setup, const ToolSubSegment& s
 }
 
 MasterJoints make_master_joints(const PathMove& move, const JointChanges& changes,
-                                const rrs::ControllerRules& controller) {
-    if (controller.path_measure == rrs::PathMeasure::all_axes && move.kind == SegmentKind::linear) {
+                                const rrs::BlockRules& blocks) {
+    if (blocks.path_measure == rrs::PathMeasure::all_axes && move.kind == SegmentKind::linear) {
         const double turn_deg = changes.norm(JointRole::rotary) / kRadPerDeg;
         return {JointRole::position, std::hypot(linear_distance(changes), turn_deg)};
     }
@@ -212,17 +212,17 @@ void set_slopes(const PathMove& move, const PlannerSetup& setup, const JointChan
     write_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
 }
 
-void reserve_blend_acceleration(const rrs::ControllerRules& controller, Block& block) {
+void reserve_blend_acceleration(const rrs::RampRules& ramps, Block& block) {
     if (block.move.mode != rrs::PathMode::continuous) return;
-    block.acceleration *= controller.continuous_acceleration_share;
-    block.deceleration *= controller.continuous_acceleration_share;
+    block.acceleration *= ramps.continuous_acceleration_share;
+    block.deceleration *= ramps.continuous_acceleration_share;
 }
 
 /// Returns the path length of the tool; 0 if only rotary joints move.
 double tool_path_length_mm(const MasterJoints& master, const JointChanges& changes,
-                           const rrs::ControllerRules& controller) {
+                           const rrs::BlockRules& blocks) {
     if (master.role == JointRole::rotary) return 0;
-    return controller.path_measure == rrs::PathMeasure::all_axes ? linear_distance(changes) : master.length;
+    return blocks.path_measure == rrs::PathMeasure::all_axes ? linear_distance(changes) : master.length;
 }
 
 /// `asked` is the programmed speed, the only speed on which the mean acceleration depends.
@@ -237,9 +237,9 @@ void use_stepped_ramps(double requested, Block& block) {
     block.jerk = kUnlimited;
 }
 
-Settling make_settling(const rrs::ControllerRules& controller) {
-    if (controller.position_gain_1_s <= 0) return {controller.settle_s, kUnlimited, kUnlimited};
-    return {controller.settle_s, controller.in_position_mm, controller.in_position_deg * kRadPerDeg};
+Settling make_settling(const rrs::PositionLoopRules& loop) {
+    if (loop.gain_1_s <= 0) return {loop.settle_s, kUnlimited, kUnlimited};
+    return {loop.settle_s, loop.in_position_mm, loop.in_position_deg * kRadPerDeg};
 }
 
 /// Returns an upper bound of the time from standstill to standstill.
@@ -259,7 +259,7 @@ PlanResult check(const Block& block) {
     if (!std::isfinite(block.max_speed) && !std::isfinite(block.acceleration)) {
         return make_plan_error(
             rrs::Status::RRS_ZERO_SPEED,
-            "The move would take no time: no speed is programmed and the machine sets no limit.");
+            "The move would take no time: no speed is programmed and the machine has no limit.");
     }
     return {};
 }
@@ -276,15 +276,15 @@ tl::expected<std::optional<Block>, PlanError> make_block(const PathMove& move, c
                                                          const Overrides& overrides) {
     const JointChanges changes(setup, move.start, move.end);
     Block block;
-    block.master = make_master_joints(move, changes, setup.controller);
+    block.master = make_master_joints(move, changes, setup.controller.blocks);
     if (block.master.length == 0) return std::nullopt;
     const MoveRules rules = move.rules.with_overrides(overrides, move.enabled_overrides, move.rapid);
     const bool turns = block.master.role == JointRole::rotary || is_rotary_only(changes);
     const bool feed = !turns && !move.rapid && rules.min_duration_s <= 0;
     if (feed && rules.programmed_speed_mm_s <= 0) return no_programmed_speed_error();
     block.move = move;
-    block.move.length_mm = tool_path_length_mm(block.master, changes, setup.controller);
-    block.settling = make_settling(setup.controller);
+    block.move.length_mm = tool_path_length_mm(block.master, changes, setup.controller.blocks);
+    block.settling = make_settling(setup.controller.position_loop);
     set_slopes(move, setup, changes, block);
     limit_by_program(move, rules, setup, changes, block);
     limit_by_joints(setup, joint_shares(move, setup, block), block);
@@ -296,17 +296,17 @@ tl::expected<std::optional<Block>, PlanError> make_block(const PathMove& move, c
     }
     if (move.orientation)
         limit_master(block, [&](MasterPath& master) { limit_by_head(setup, *move.orientation, master); });
-    reserve_blend_acceleration(setup.controller, block);
-    if (setup.controller.block_time_s > 0) {
+    reserve_blend_acceleration(setup.controller.ramps, block);
+    if (setup.controller.blocks.time_s > 0) {
         limit(block.max_speed, block.speed_limit,
-              block.master.length / (setup.controller.block_time_s * move.share),
+              block.master.length / (setup.controller.blocks.time_s * move.share),
               {LimitKind::block_time, -1});
     }
     if (rules.rapid_share < 1)
         limit(block.max_speed, block.speed_limit, rules.rapid_share * block.max_speed,
               {LimitKind::rapid_override, -1});
-    if (setup.controller.limit_jerk && setup.controller.ramp_step_s > 0) {
-        const double requested = programmed_speed(move, move.rules, changes, block, setup.controller);
+    if (setup.controller.ramps.limit_jerk && setup.controller.ramps.step_s > 0) {
+        const double requested = programmed_speed(move, move.rules, changes, block, setup.controller.blocks);
         use_stepped_ramps(requested, block);
     }
     if (PlanResult checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));

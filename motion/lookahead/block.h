@@ -47,12 +47,12 @@ struct Block {
     rrs::JointPos slope_in;   ///< Change of the joints per path length at the start
     rrs::JointPos slope_out;  ///< and at the end.
     double max_speed = kUnlimited;
-    LimitedBy speed_limit;
+    LimitCause speed_limit;
     double acceleration = kUnlimited;
-    LimitedBy acceleration_limit;
+    LimitCause acceleration_limit;
     double deceleration = kUnlimited;
     double jerk = kUnlimited;
-    LimitedBy jerk_limit;
+    LimitCause jerk_limit;
     std::optional<SteppedLimits> steps;  ///< Set if its ramps run in steps of time.
     /// Accelerations of the joints at the corner at its start, if MoveLimits set them.
     std::optional<rrs::JointPos> corner_accelerations;

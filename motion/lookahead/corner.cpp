@@ -28,7 +28,7 @@ double velocity_step_speed(const PlannerSetup& setup, const rrs::JointPos& turn)
 /// Returns the part of a joint slope that counts for the angle between two paths: that of the position
 /// joints, or of all, with a degree as a millimetre.
 rrs::JointPos unit_direction(const PlannerSetup& setup, const rrs::JointPos& slope) {
-    const bool measures_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
+    const bool measures_all_axes = setup.controller.blocks.path_measure == rrs::PathMeasure::all_axes;
     rrs::JointPos direction = slope;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const JointRole role = setup.role(joint);
@@ -64,8 +64,9 @@ double junction_deviation_speed(const PlannerSetup& setup, const Block& from, co
     if (cosine > kReversalCosine) return 0;
     const double half_sine = std::sqrt((1 - cosine) / 2);
     const double acceleration = acceleration_along(setup, (out - in).normalized());
-    if (setup.controller.junction_deviation_mm <= 0) return 0;
-    return std::sqrt(acceleration * setup.controller.junction_deviation_mm * half_sine / (1 - half_sine));
+    if (setup.controller.corners.junction_deviation_mm <= 0) return 0;
+    return std::sqrt(acceleration * setup.controller.corners.junction_deviation_mm * half_sine /
+                     (1 - half_sine));
 }
 
 /// Rotary and other joints have no position on an arc in space, so junction deviation stops if their slope
@@ -78,8 +79,8 @@ bool only_position_joints_turn(const PlannerSetup& setup, const rrs::JointPos& t
     return true;
 }
 
-CornerRule rule_at_end(const rrs::ControllerRules& controller, const Block& block) {
-    return block.move.mode == rrs::PathMode::continuous ? controller.corner : controller.exact_path_corner;
+CornerRule rule_at_end(const rrs::CornerRules& corners, const Block& block) {
+    return block.move.mode == rrs::PathMode::continuous ? corners.continuous : corners.exact_path;
 }
 
 /// True if all joints move in proportion, and the path is theirs.
@@ -88,12 +89,12 @@ bool is_straight(const Block& block) {
 }
 
 /// Blends are between lines. The jumps of the joint speeds count if the joints' paths are not the tool's.
-CornerRule rule_between(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
-    const CornerRule rule = rule_at_end(controller, from);
+CornerRule rule_between(const rrs::CornerRules& corners, const Block& from, const Block& to) {
+    const CornerRule rule = rule_at_end(corners, from);
     if (rule != CornerRule::stop && (from.move.sub_segment || to.move.sub_segment))
         return CornerRule::velocity_step;
     if (!is_blend(rule) || (is_straight(from) && is_straight(to))) return rule;
-    return is_blend(controller.exact_path_corner) ? CornerRule::stop : controller.exact_path_corner;
+    return is_blend(corners.exact_path) ? CornerRule::stop : corners.exact_path;
 }
 
 /// Passes the corner at the end of `before` exactly, by a jump of the joint speeds.
@@ -109,14 +110,14 @@ BlendedCorner pass_by_jump(const PlannerSetup& setup, const PrecedingBlocks& bef
 BlendedCorner pass_by_blend(const PlannerSetup& setup, const PrecedingBlocks& before, const Block& to,
                             double speed_cap, bool smooth) {
     const BlendedCorner blended = blend_between(setup, before.back(), to, smooth, speed_cap);
-    if (setup.controller.exact_path_corner != CornerRule::velocity_step) return blended;
+    if (setup.controller.corners.exact_path != CornerRule::velocity_step) return blended;
     const BlendedCorner exact = pass_by_jump(setup, before, to, speed_cap);
     return saves_time(blended, exact.speed, before.back(), to, speed_cap) ? blended : exact;
 }
 
-bool uses_speed_jump(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
-    const CornerRule rule = rule_between(controller, from, to);
-    return (is_blend(rule) ? controller.exact_path_corner : rule) == CornerRule::velocity_step;
+bool uses_speed_jump(const rrs::CornerRules& corners, const Block& from, const Block& to) {
+    const CornerRule rule = rule_between(corners, from, to);
+    return (is_blend(rule) ? corners.exact_path : rule) == CornerRule::velocity_step;
 }
 
 BlendedCorner pass_by_rule(const PlannerSetup& setup, const PrecedingBlocks& before, const Block& to,
@@ -124,7 +125,7 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const PrecedingBlocks& bef
     const Block& from = before.back();
     const rrs::JointPos turn = to.slope_in - from.slope_out;
     if ((turn.array().abs() < kSlopeTolerance).all()) return {{}, kUnlimited, false};
-    const CornerRule rule = rule_between(setup.controller, from, to);
+    const CornerRule rule = rule_between(setup.controller.corners, from, to);
     switch (rule) {
         case CornerRule::stop: return {};
         case CornerRule::velocity_step: return pass_by_jump(setup, before, to, speed_cap);
@@ -133,7 +134,7 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const PrecedingBlocks& bef
             return pass_by_blend(setup, before, to, speed_cap, rule == CornerRule::smooth_blend);
         case CornerRule::junction_deviation: break;
     }
-    const bool measures_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
+    const bool measures_all_axes = setup.controller.blocks.path_measure == rrs::PathMeasure::all_axes;
     if (from.master.role != JointRole::position ||
         (!measures_all_axes && !only_position_joints_turn(setup, turn)))
         return {};
@@ -145,28 +146,28 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const PrecedingBlocks& bef
 double speed_step(const PlannerSetup& setup, int joint) {
     const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
     if (std::isfinite(limits.max_speed_step)) return limits.max_speed_step;
-    return limits.min_acceleration() * setup.controller.speed_step_s;
+    return limits.min_acceleration() * setup.controller.corners.speed_step_s;
 }
 
 CornerSpeed corner_speed(const PlannerSetup& setup, const PrecedingBlocks& before, const Block& to) {
     const Block& from = before.back();
-    const rrs::ControllerRules& controller = setup.controller;
+    const rrs::CornerRules& corners = setup.controller.corners;
     const double speed_cap = std::min(from.max_speed, to.max_speed);
     if (from.move.sub_segment && !from.move.reaches_target) return {speed_cap, LimitKind::feed, {}};
-    const bool changes_mode = controller.stop_between_rapid_and_feed && from.move.rapid != to.move.rapid;
+    const bool changes_mode = corners.stop_between_rapid_and_feed && from.move.rapid != to.move.rapid;
     if (changes_mode || from.master.role != to.master.role || from.move.mode == rrs::PathMode::exact_stop)
         return {};
     const BlendedCorner corner = pass_by_rule(setup, before, to, speed_cap);
     if (corner.speed == 0) return {};
     const bool uses_acceleration =
-        corner.blend.cut <= 0 && !corner.is_within_speed_steps && uses_speed_jump(controller, from, to);
+        corner.blend.cut <= 0 && !corner.is_within_speed_steps && uses_speed_jump(corners, from, to);
     if (corner.speed < speed_cap) return {corner.speed, LimitKind::corner, corner.blend, uses_acceleration};
     return {speed_cap, LimitKind::feed, corner.blend, uses_acceleration};
 }
 
 double largest_exit_cut(const PlannerSetup& setup, const Block& block) {
     const bool rounded = is_straight(block) && block.move.mode != rrs::PathMode::exact_stop &&
-                         is_blend(rule_at_end(setup.controller, block));
+                         is_blend(rule_at_end(setup.controller.corners, block));
     return rounded ? kMaxCutShare * block.master.length : 0;
 }
 

@@ -11,7 +11,7 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr int kAllCornersUpTo = 8;
+constexpr int kMaxCornersCheckedEach = 8;
 constexpr int kCornerStride = 4;
 
 /// Corners before the newest one that have a lower speed of their own.
@@ -42,24 +42,24 @@ class CornerSequence {
   public:
     CornerSequence(const rrs::JointPos& slope_in, const rrs::JointPos& slope_out, const SlowerCorners& slower,
                    double distance)
-        : slope_in_(slope_in), slope_out_(slope_out), slower_(slower), distance_(distance) {}
+        : slope_in_(slope_in), slope_out_(slope_out), slower_corners_(slower), distance_(distance) {}
 
     Eigen::Index joints() const { return slope_in_.size(); }
     double total_change(Eigen::Index joint) const { return slope_out_[joint] - slope_in_[joint]; }
-    double turn(Eigen::Index joint) const { return total_change(joint) - slower_.turn(joint); }
-    double before(Eigen::Index joint) const { return slower_.jump(joint); }
+    double turn(Eigen::Index joint) const { return total_change(joint) - slower_corners_.turn(joint); }
+    double before(Eigen::Index joint) const { return slower_corners_.jump(joint); }
     double change(Eigen::Index joint, double speed) const {
         return std::abs(speed * turn(joint) + before(joint));
     }
     /// Returns the lowest of the corners' own speeds.
-    double min() const { return slower_.min(); }
+    double min() const { return slower_corners_.min(); }
     /// Returns the path length that the corners count for.
     double distance() const { return distance_; }
 
   private:
     const rrs::JointPos& slope_in_;
     const rrs::JointPos& slope_out_;
-    const SlowerCorners& slower_;
+    const SlowerCorners& slower_corners_;
     double distance_;
 };
 
@@ -67,7 +67,7 @@ class CornerSequence {
 class JointBounds {
   public:
     explicit JointBounds(const PlannerSetup& setup) : count_(static_cast<std::size_t>(setup.joint_count())) {
-        const double share = setup.controller.centripetal_share;
+        const double share = setup.controller.ramps.centripetal_share;
         for (std::size_t joint = 0; joint < count_; ++joint) {
             const double acceleration = share * setup.joints[joint].min_acceleration();
             bounds_[joint] = {speed_step(setup, static_cast<int>(joint)), acceleration};
@@ -158,7 +158,7 @@ void for_each_corner_sequence(const JointBounds& bounds, const PrecedingBlocks& 
         if (block.move.kind == SegmentKind::circular && block.max_speed < speed)
             slower.add(block.slope_out - block.slope_in, block.max_speed);
         ++corners;
-        if (corners <= kAllCornersUpTo || corners % kCornerStride == 0)
+        if (corners <= kMaxCornersCheckedEach || corners % kCornerStride == 0)
             visit_window(CornerSequence(in, to.slope_in, slower, distance * corners / (corners - 1)));
     }
 }
@@ -183,7 +183,7 @@ rrs::JointPos accelerations_for_corners(const PlannerSetup& setup, const Precedi
 
 WindowSpeed speed_in_window(const PlannerSetup& setup, const PrecedingBlocks& before, double speed_cap,
                             const Block& to) {
-    if (!std::isfinite(setup.controller.centripetal_share)) return {speed_cap, true};
+    if (!std::isfinite(setup.controller.ramps.centripetal_share)) return {speed_cap, true};
     const JointBounds bounds(setup);
     WindowSpeed window_speed{speed_cap, true};
     for_each_corner_sequence(
@@ -195,8 +195,8 @@ WindowSpeed speed_in_window(const PlannerSetup& setup, const PrecedingBlocks& be
 }
 
 void reserve_for_corners(const PlannerSetup& setup, const PrecedingBlocks& before, Block& to) {
-    if (setup.controller.centripetal_share >= 1) return;
-    const double min = 1 - setup.controller.centripetal_share;
+    if (setup.controller.ramps.centripetal_share >= 1) return;
+    const double min = 1 - setup.controller.ramps.centripetal_share;
     const rrs::JointPos used = accelerations_for_corners(setup, before, to);
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double share = std::abs(to.slope_in[joint]);

@@ -35,8 +35,9 @@ rrs::JointPos snap_to_grid(const PlannerSetup& setup, rrs::JointPos position) {
 }  // namespace
 
 PlanResult LookAhead::add(const PathMove& move) {
-    const bool is_chords = move.kind == SegmentKind::circular && setup_.controller.arc_chord_tolerance_mm > 0;
-    if (!is_chords) return add_line(move);
+    const bool uses_chords =
+        move.kind == SegmentKind::circular && setup_.controller.curves.arc_chord_tolerance_mm > 0;
+    if (!uses_chords) return add_line(move);
     PlanResult planned;
     for_each_chord(move, setup_, [&](const PathMove& line) {
         if (planned) planned = add_line(line);
@@ -47,7 +48,7 @@ PlanResult LookAhead::add(const PathMove& move) {
 /// Controllers that know only lines count steps. They plan from step to step, so that short blocks have ends
 /// off their line.
 PlanResult LookAhead::add_line(const PathMove& move) {
-    if (setup_.controller.arc_chord_tolerance_mm <= 0) return add_block(move);
+    if (setup_.controller.curves.arc_chord_tolerance_mm <= 0) return add_block(move);
     PathMove line = move;
     if (has_rounded_end_) line.start = rounded_end_;
     line.end = snap_to_grid(setup_, move.end);
@@ -92,7 +93,7 @@ bool LookAhead::is_exit_known() const {
 }
 
 bool LookAhead::is_window_full() const {
-    const std::size_t max = std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1);
+    const std::size_t max = std::max<std::size_t>(setup_.controller.blocks.look_ahead, 1);
     return window_.size() - inner_count_ >= max || inner_count_ >= kMaxInnerSubSegments;
 }
 
@@ -236,10 +237,10 @@ double LookAhead::settle_s(const Block& block) const {
         worst = std::max(worst, std::abs(block.slope_out[joint]) * output_.lag() / band);
     }
     if (!(worst > 1)) return block.settling.fixed_s;
-    return block.settling.fixed_s + std::log(worst) / setup_.controller.position_gain_1_s;
+    return block.settling.fixed_s + std::log(worst) / setup_.controller.position_loop.gain_1_s;
 }
 
-LimitedBy LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
+LimitCause LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
     const Block& slower = from.max_speed <= to.max_speed ? from : to;
     if (speed >= slower.max_speed * (1 - kBlockSpeedTolerance)) return slower.speed_limit;
     return {to.is_window_limited && speed >= to.entry ? LimitKind::look_ahead : LimitKind::corner, -1};
@@ -253,7 +254,7 @@ void LookAhead::emit_dwell(rrs::TargetId id, const rrs::JointPos& end, double se
     output_.finish();
 }
 
-LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
+LimitCause LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
     if (law.peak_speed() >= block.max_speed * (1 - kBlockSpeedTolerance)) return block.speed_limit;
     const Block* next = window_.size() > 1 ? &window_[1] : nullptr;
     if (next != nullptr && next->is_window_limited && exit_speed >= next->entry)
@@ -266,9 +267,9 @@ LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double e
 
 void LookAhead::plan_to_standstill() {
     if (!window_.empty()) plan_backward(0);
-    ending_ = true;
+    is_ending_ = true;
     while (!window_.empty()) emit_front_block();
-    ending_ = false;
+    is_ending_ = false;
     speed_ = 0;
 }
 
@@ -283,7 +284,7 @@ void LookAhead::clear() {
     planned_count_ = 0;
     inner_count_ = 0;
     output_.clear();
-    stepped_ = SteppedRamps(setup_.controller.ramp_step_s);
+    stepped_ramps_ = SteppedRamps(setup_.controller.ramps.step_s);
     speed_ = 0;
     has_rounded_end_ = false;
 }

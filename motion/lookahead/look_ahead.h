@@ -36,7 +36,9 @@ class LookAhead final : public MotionModel {
   public:
     /// Both must outlive this.
     LookAhead(const PlannerSetup& setup, SegmentOutput& output)
-        : setup_(setup), output_(setup.controller, output), stepped_(setup.controller.ramp_step_s) {}
+        : setup_(setup),
+          output_(setup.controller.position_loop, output),
+          stepped_ramps_(setup.controller.ramps.step_s) {}
 
     PlanResult add(const PathMove& move) override;
     void plan_to_standstill() override;
@@ -64,7 +66,7 @@ class LookAhead final : public MotionModel {
     void emit_path(const Block& block, double exit_speed, bool reaches_target);
     // Ramps in steps of time (look_ahead_steps.cpp).
     void emit_steps(const Block& block, double exit_speed, bool reaches_target);
-    void emit_sections(const Block& block, const TimeLaw& law, double from, LimitedBy limited_by,
+    void emit_sections(const Block& block, const TimeLaw& law, double from, LimitCause limited_by,
                        bool reaches_target);
     void emit_dwell(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
     CornerSpeed limited_corner(const PrecedingBlocks& before, Block& to);
@@ -75,19 +77,19 @@ class LookAhead final : public MotionModel {
     double front_exit_speed() const;
     double reachable_exit_speed() const;
     double settle_s(const Block& block) const;
-    LimitedBy blend_limited_by(const Block& from, const Block& to, double speed) const;
-    LimitedBy limited_by(const Block& block, const TimeLaw& law, double exit_speed) const;
+    LimitCause blend_limited_by(const Block& from, const Block& to, double speed) const;
+    LimitCause limited_by(const Block& block, const TimeLaw& law, double exit_speed) const;
 
     const PlannerSetup& setup_;
     FollowingError output_;
-    SteppedRamps stepped_;
+    SteppedRamps stepped_ramps_;
     std::deque<Block> window_;
     std::size_t planned_count_ = 0;  ///< Blocks of the window with planned entries, from the oldest on.
     std::size_t inner_count_ =
         0;                    ///< Sub-segments in it that only continue their move: they count as no blocks.
     Overrides overrides_;     ///< That the window is planned for,
     double overrides_s_ = 0;  ///< and the instant from which on they hold.
-    bool ending_ = false;     ///< No block follows the newest one.
+    bool is_ending_ = false;  ///< No block follows the newest one.
     double speed_ = 0;        ///< At the start of the oldest block, which cannot change any more.
     rrs::JointPos rounded_end_;  ///< End of the last block, on the grid of the joint steps.
     bool has_rounded_end_ = false;

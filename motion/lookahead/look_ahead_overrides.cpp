@@ -91,7 +91,7 @@ void LookAhead::rejoin_corners(const std::vector<double>& speed_caps) {
 
 void LookAhead::replan() {
     planned_count_ = 0;
-    if (!window_.empty()) plan_backward(ending_ ? 0 : largest_exit_cut(setup_, window_.back()));
+    if (!window_.empty()) plan_backward(is_ending_ ? 0 : largest_exit_cut(setup_, window_.back()));
 }
 
 /// Sets the limits of a block under the current overrides. A block with curvature or many corners keeps the

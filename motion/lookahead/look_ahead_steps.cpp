@@ -77,13 +77,13 @@ void LookAhead::emit_steps(const Block& block, double exit_speed, bool reaches_t
     const auto emit = [&](bool reaches) {
         if (pending.empty()) return;
         const TimeLaw law = pending.law();
-        const LimitedBy by =
-            pending_creeps ? LimitedBy{LimitKind::short_brakes, -1} : limited_by(block, law, law.end_speed());
+        const LimitCause by = pending_creeps ? LimitCause{LimitKind::short_brakes, -1}
+                                             : limited_by(block, law, law.end_speed());
         emit_sections(block, law, from, by, reaches);
         from += pending.length();
         pending = {};
     };
-    stepped_.drive(make_stepped_block(block, speed_, exit_speed), [&](const SteppedSection& section) {
+    stepped_ramps_.drive(make_stepped_block(block, speed_, exit_speed), [&](const SteppedSection& section) {
         if (section.stops_short != pending_creeps || !pending.has_space_for(section.law)) emit(false);
         pending_creeps = section.stops_short;
         pending.add(section.law);
@@ -92,7 +92,7 @@ void LookAhead::emit_steps(const Block& block, double exit_speed, bool reaches_t
 }
 
 /// Outputs a part of the block that begins `from` after its start.
-void LookAhead::emit_sections(const Block& block, const TimeLaw& law, double from, LimitedBy limited_by,
+void LookAhead::emit_sections(const Block& block, const TimeLaw& law, double from, LimitCause limited_by,
                               bool reaches_target) {
     constexpr double kSameEnd = 1e-6;  // relative: lengths are of 32 bits
     const double length = block.master.length;

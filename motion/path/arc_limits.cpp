@@ -34,7 +34,7 @@ const JointSetup& limits_of(const PlannerSetup& setup, const JointOnArc& on) {
     return setup.joints[static_cast<std::size_t>(on.joint)];
 }
 
-void limit_by_rotation(double jerk, double curvature, double third, LimitedBy by, MasterPath& master) {
+void limit_by_rotation(double jerk, double curvature, double third, LimitCause by, MasterPath& master) {
     master.limit_speed(std::cbrt(jerk / third), by);
     const double acceleration = jerk / (3 * curvature * master.limits.max_speed);
     master.limit_acceleration(acceleration, by);
@@ -44,16 +44,16 @@ void limit_by_rotation(double jerk, double curvature, double third, LimitedBy by
 }  // namespace
 
 void limit_by_arc_jerk(const PlannerSetup& setup, const Arc& arc, MasterPath& master) {
-    if (!setup.controller.limit_jerk) return;
+    if (!setup.controller.ramps.limit_jerk) return;
     const double curvature = arc.max_curvature();
     // This also holds for spirals: p''' is as long as curvature^2 divided by the share of the path that runs
     // round.
     const double third = curvature * curvature / arc.tangent(0).dot(arc.v);
     double turning_jerk = kUnlimited;
-    LimitedBy by;
+    LimitCause by;
     for_each_joint(setup, arc, [&](const JointOnArc& on) {
         const double jerk = kJerkShare * limits_of(setup, on).max_jerk;
-        const LimitedBy by_joint{LimitKind::jerk, static_cast<std::int8_t>(on.joint)};
+        const LimitCause by_joint{LimitKind::jerk, static_cast<std::int8_t>(on.joint)};
         master.limit_jerk(jerk / (on.tangential + on.ascent), by_joint);
         if (jerk / on.plane_share >= turning_jerk) return;
         turning_jerk = jerk / on.plane_share;

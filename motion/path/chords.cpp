@@ -11,23 +11,23 @@ namespace {
 
 constexpr double kMaxChords = 1e7;
 
-void set_chord_speed(const PathMove& move, const rrs::ControllerRules& controller, int number_of_chords,
+void set_chord_speed(const PathMove& move, const rrs::CurveRules& curves, int number_of_chords,
                      PathMove& line) {
     const double requested_s = move.rules.min_duration_s;
     if (requested_s <= 0) return;
     line.rules.min_duration_s = 0;
     // F in 1/min is 60 / requested_s. It is taken as mm/min if it counts once for each chord.
-    line.rules.programmed_speed_mm_s = controller.inverse_time_per_chord ? number_of_chords / requested_s
-                                                                         : move.arc.length_mm() / requested_s;
+    line.rules.programmed_speed_mm_s =
+        curves.inverse_time_per_chord ? number_of_chords / requested_s : move.arc.length_mm() / requested_s;
 }
 
 }  // namespace
 
 int chord_count(const Arc& arc, const rrs::ControllerRules& controller) {
-    if (controller.planner != rrs::PlannerKind::klipper)
-        return chord_count(arc, controller.arc_chord_tolerance_mm);
+    if (controller.capabilities().arc_chords != rrs::ArcChords::by_length)
+        return chord_count(arc, controller.curves.arc_chord_tolerance_mm);
     return static_cast<int>(
-        std::clamp(std::floor(arc.length_mm() / controller.arc_resolution_mm), 1.0, kMaxChords));
+        std::clamp(std::floor(arc.length_mm() / controller.klipper.arc_resolution_mm), 1.0, kMaxChords));
 }
 
 int chord_count(const Arc& arc, double tolerance_mm) {
@@ -42,7 +42,7 @@ void for_each_chord(const PathMove& move, const PlannerSetup& setup,
     const int count = chord_count(move.arc, setup.controller);
     PathMove line = move;
     line.kind = SegmentKind::linear;
-    set_chord_speed(move, setup.controller, count, line);
+    set_chord_speed(move, setup.controller.curves, count, line);
     line.share = move.share / count;
     for (int i = 1; i <= count; ++i) {
         const double share = static_cast<double>(i) / count;

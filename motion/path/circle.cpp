@@ -44,13 +44,13 @@ PlanResult check_radii(double start_mm, double end_mm, double allowed_mm) {
     if (!(start_mm >= kSmallestRadius_mm))
         return impossible_circle("The centre of the arc coincides with its start.");
     if (!(start_mm <= kLargestRadius_mm)) {
-        return impossible_circle(fmt::format("The arc's radius of {} mm is too large; at most {} mm.",
+        return impossible_circle(fmt::format("The arc's radius of {} mm is too large; the maximum is {} mm.",
                                              start_mm, kLargestRadius_mm));
     }
     if (std::abs(end_mm - start_mm) <= allowed_mm) return {};
-    return impossible_circle(
-        fmt::format("The arc's radius is {} mm at its start but {} mm at its end; they may differ by {} mm.",
-                    start_mm, end_mm, allowed_mm));
+    return impossible_circle(fmt::format(
+        "The arc's radius is {} mm at its start but {} mm at its end; they may differ by at most {} mm.",
+        start_mm, end_mm, allowed_mm));
 }
 
 // The axis is of unit length here.
@@ -68,7 +68,7 @@ PlanResult build(const Vector3d& start, const Vector3d& end, const Vector3d& cen
     arc.sweep_rad = sweep_rad + sweep_error_rad;
     if (std::abs(sweep_error_rad) * from.radius > allowed_mm || !(arc.sweep_rad > 0)) {
         return impossible_circle(
-            fmt::format("The target of the arc lies {} mm along the circle from the end of its sweep of {} "
+            fmt::format("The target of the arc is {} mm along the circle from the end of its sweep of {} "
                         "rad; {} mm are allowed.",
                         sweep_error_rad * from.radius, sweep_rad, allowed_mm));
     }
@@ -95,7 +95,7 @@ PlanResult arc_about(const Vector3d& start, const Vector3d& end, const Vector3d&
     if (!(sweep_rad > 0 && sweep_rad <= kMaxSweep_rad)) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("The sweep of an arc must be more than 0 and at most {} rad; it is {}.",
+            fmt::format("The sweep of an arc must be greater than 0 and at most {} rad; it is {}.",
                         kMaxSweep_rad, sweep_rad));
     }
     return build(start, end, center, axis / norm, sweep_rad, tolerance_mm, arc);
@@ -116,7 +116,7 @@ PlanResult arc_through(const Vector3d& start, const Vector3d& via, const Vector3
         (2 * area * area);
     if (!(area / chord > kCircleRounding_mm && to_center.norm() <= kLargestRadius_mm)) {
         return impossible_circle(
-            "The via point of the arc lies on the straight line from its start to its target.");
+            "The via point of the arc is on the straight line from its start to its target.");
     }
     const Vector3d axis = normal / area;
     const Vector3d u = -to_center.normalized();

@@ -28,10 +28,9 @@ TimeLaw constant_speed(double speed, double duration_s) {
 tl::expected<ConveyorFrame, PlanError> ConveyorFrame::of(const PlannerSetup& setup, const AxisSpace* space,
                                                          const ConveyorMotion& conveyor) {
     if (space == nullptr) {
-        return make_plan_error(
-            Status::RRS_MODE_NOT_SUPPORTED,
-            "A conveyor can be tracked only by a machine whose position joints carry the tool along "
-            "three directions at right angles.");
+        return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
+                               "Only a machine whose position joints move the tool along three perpendicular "
+                               "directions can track a conveyor.");
     }
     const Eigen::Vector3d along = space->point(conveyor.direction) - space->point(Eigen::Vector3d::Zero());
     rrs::JointPos joints = rrs::JointPos::Zero(setup.joint_count());
@@ -43,9 +42,9 @@ tl::expected<ConveyorFrame, PlanError> ConveyorFrame::of(const PlannerSetup& set
         if (speed == 0 || speed < limit) continue;
         return tl::unexpected(PlanError{
             .status = Status::RRS_JOINT_LIMIT,
-            .message = fmt::format("The conveyor takes {} mm/s of joint {} (counted from 0), which does "
-                                   "{} mm/s at most.",
-                                   speed, joint, limit)});
+            .message = fmt::format(
+                "The conveyor needs {} mm/s of joint {} (counted from 0), whose max speed is {} mm/s.", speed,
+                joint, limit)});
     }
     return ConveyorFrame(conveyor, joints);
 }

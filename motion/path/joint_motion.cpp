@@ -43,7 +43,7 @@ Range single_motion_bounds(const Segment& segment, int joint) {
 }
 
 /// A value and its rate of change.
-struct RateReading {
+struct ValueAndRate {
     double value;
     double rate;
 };
@@ -59,7 +59,7 @@ double root(const At& at, double requested, bool is_rising, double from, double 
     double high = to;
     double t = low + (high - low) / 2;
     for (int i = 0; i < kMaxIterations; ++i) {
-        const RateReading reading = at(t);
+        const ValueAndRate reading = at(t);
         const double deviation = reading.value - requested;
         if (deviation == 0) return t;
         ((deviation > 0) == is_rising ? high : low) = t;
@@ -75,7 +75,7 @@ double root(const At& at, double requested, bool is_rising, double from, double 
 double time_at(const TimeLaw& law, double s) {
     const auto at = [&law](double t) {
         const LawState state = law.at(t);
-        return RateReading{state.s, state.v};
+        return ValueAndRate{state.s, state.v};
     };
     return root(at, std::clamp(s, 0.0, law.length()), true, 0, law.duration_s());
 }
@@ -124,7 +124,7 @@ class SuperimposedMotions {
 
   private:
     /// Accelerations at the ends of a time; they are linear in between along a straight path.
-    struct TimeEnds {
+    struct EndAccelerations {
         double first;
         double last;
 
@@ -133,7 +133,7 @@ class SuperimposedMotions {
 
     /// Returns the accelerations along the path from two instants inside, because accelerations jump at the
     /// ends of law parts.
-    static TimeEnds acceleration(const TimeLaw& law, double from_s, double to_s) {
+    static EndAccelerations acceleration(const TimeLaw& law, double from_s, double to_s) {
         const double quarter_s = (to_s - from_s) / 4;
         const double a = law.at(from_s + quarter_s).a;
         const double b = law.at(to_s - quarter_s).a;
@@ -141,13 +141,13 @@ class SuperimposedMotions {
     }
 
     double max_joint_acceleration(double from_s, double to_s) const {
-        const TimeEnds path_ends = acceleration(segment_.master, from_s, to_s);
-        const TimeEnds other = acceleration(segment_.superimposed->master, from_s, to_s);
+        const EndAccelerations path_ends = acceleration(segment_.master, from_s, to_s);
+        const EndAccelerations other = acceleration(segment_.superimposed->master, from_s, to_s);
         if (!arc_axis(segment_, joint_) && !arc_axis(*segment_.superimposed, joint_)) {
             const double share = joint_share(segment_);
             const double superimposed_share = joint_share(*segment_.superimposed);
-            return TimeEnds{share * path_ends.first + superimposed_share * other.first,
-                            share * path_ends.last + superimposed_share * other.last}
+            return EndAccelerations{share * path_ends.first + superimposed_share * other.first,
+                                    share * path_ends.last + superimposed_share * other.last}
                 .max_acceleration();
         }
         return max_single_acceleration(segment_, path_ends, from_s, to_s) +
@@ -159,7 +159,7 @@ class SuperimposedMotions {
         return length > 0 ? (one.end[joint_] - one.start[joint_]) / length : 0;
     }
 
-    double max_single_acceleration(const Segment& one, const TimeEnds& along, double from_s,
+    double max_single_acceleration(const Segment& one, const EndAccelerations& along, double from_s,
                                    double to_s) const {
         if (!arc_axis(one, joint_)) return std::abs(joint_share(one)) * along.max_acceleration();
         const double half_s = (to_s - from_s) / 2;
@@ -205,7 +205,7 @@ void add_reversal_times(const Segment& segment, int joint, std::vector<double>& 
 double crossing_time_s(const Segment& segment, int joint, double value, double from_s, double to_s) {
     const auto at = [&segment, joint](double t_s) {
         const JointState state = segment.at(t_s);
-        return RateReading{state.position[joint], state.velocity[joint]};
+        return ValueAndRate{state.position[joint], state.velocity[joint]};
     };
     return root(at, value, segment.position_at(to_s)[joint] > value, from_s, to_s);
 }

@@ -62,7 +62,7 @@ bool is_linear_move(const PathMove& move) {
 }
 
 bool stops_always(const PlannerSetup& setup) {
-    return setup.controller.planner == rrs::PlannerKind::rest_to_rest;
+    return setup.controller.capabilities().stops_at_each_move;
 }
 
 LimitedPath way_of(const PlannerSetup& setup, const Block& block) {
@@ -84,9 +84,9 @@ LimitedPath way_of(const PlannerSetup& setup, const Block& block) {
 
 /// A move from standstill to standstill with a required time is faster in its middle than in the mean.
 PathMove without_duration(const PathMove& move, const PlannerSetup& setup) {
-    PathMove untimed = move;
-    if (stops_always(setup)) untimed.rules.min_duration_s = 0;
-    return untimed;
+    PathMove untimed_move = move;
+    if (stops_always(setup)) untimed_move.rules.min_duration_s = 0;
+    return untimed_move;
 }
 
 /// Returns the setup with joints of unlimited acceleration: the remaining limits are those of speeds.

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kShortest_s = 1e-15;  // below, speeds are no physical values and may not even be finite
 
-LimitedBy limit_cause_of_move(const Segment& segment, const MasterPath& master, const Followers* followers,
-                              double master_s) {
+LimitCause limit_cause_of_move(const Segment& segment, const MasterPath& master, const Followers* followers,
+                               double master_s) {
     if (segment.duration_s <= master_s) {
         return reached_limit(segment.master, master.limits, master.speed_limit, master.acceleration_limit,
                              master.jerk_limit);
     }
     const bool follower = followers != nullptr && segment.duration_s <= followers->fastest_s();
-    return follower ? followers->slowest() : LimitedBy{LimitKind::time, -1};
+    return follower ? followers->slowest() : LimitCause{LimitKind::time, -1};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ PlanResult set_timing(Segment& segment, const MasterPath& master, const Follower
     if (duration_s < kShortest_s) {
         return make_plan_error(
             Status::RRS_ZERO_SPEED,
-            "The move would take no time: no speed is programmed and the machine sets no limit.");
+            "The move would take no time: no speed is programmed and the machine has no limit.");
     }
     segment.duration_s = duration_s;
     segment.master = rest_to_rest_law(master.length, master.limits, master_s, duration_s);
@@ -63,7 +63,7 @@ PlanResult set_timing_with_other_joints(const PlannerSetup& setup, const MoveRul
     const OrientationArc* const orientation = segment.orientation.get();
     if (rules.rapid_share < 1)
         master.limit_speed(rules.rapid_share * master.limits.max_speed, {LimitKind::rapid_override, -1});
-    if (setup.controller.independent_ramps) {
+    if (setup.controller.coordination.independent_ramps) {
         const Followers followers(setup, rules, changes, role, orientation);
         return set_timing(segment, master, &followers, rules.min_duration_s);
     }

@@ -15,16 +15,16 @@ inline constexpr double kMaxDuration_s = 1e12;
 struct MasterPath {
     double length = 0;
     LawLimits limits = {};
-    LimitedBy speed_limit = {};         ///< Cause of limits.max_speed,
-    LimitedBy acceleration_limit = {};  ///< limits.acceleration
-    LimitedBy jerk_limit = {};          ///< and limits.jerk.
+    LimitCause speed_limit = {};         ///< Cause of limits.max_speed,
+    LimitCause acceleration_limit = {};  ///< limits.acceleration
+    LimitCause jerk_limit = {};          ///< and limits.jerk.
 
-    void limit_speed(double speed, LimitedBy by) {
+    void limit_speed(double speed, LimitCause by) {
         if (speed >= limits.max_speed) return;
         limits.max_speed = speed;
         speed_limit = by;
     }
-    void limit_acceleration(double acceleration, LimitedBy by) {
+    void limit_acceleration(double acceleration, LimitCause by) {
         if (acceleration >= limits.acceleration) return;
         limits.acceleration = acceleration;
         acceleration_limit = by;
@@ -32,7 +32,7 @@ struct MasterPath {
     void limit_deceleration(double deceleration) {
         limits.deceleration = std::min(limits.deceleration, deceleration);
     }
-    void limit_jerk(double jerk, LimitedBy by) {
+    void limit_jerk(double jerk, LimitCause by) {
         if (jerk >= limits.jerk) return;
         limits.jerk = jerk;
         jerk_limit = by;

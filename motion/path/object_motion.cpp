@@ -43,8 +43,7 @@ tl::expected<double, PlanError> ObjectMotion::add_target(const CartPos& pose) {
     if (moves_.size() == kMaxTargets) {
         return make_plan_error(
             Status::RRS_QUEUE_FULL,
-            fmt::format("{} targets of the object are waiting; call GetNextObjectStep before more are "
-                        "put.",
+            fmt::format("{} targets of the object are pending; call GetNextObjectStep before setting more.",
                         kMaxTargets));
     }
     const double length_mm = (pose.translation() - end_.translation()).norm();
@@ -52,7 +51,7 @@ tl::expected<double, PlanError> ObjectMotion::add_target(const CartPos& pose) {
     if (length_mm < kPointTolerance_mm && turn > kSameOrientation) {
         return make_plan_error(
             Status::RRS_ZERO_SPEED,
-            "The object would turn without going anywhere, and its speed is one along its way.");
+            "The object would rotate without moving, but its speed is one along its path.");
     }
     moves_.push_back({end_, pose, length_mm / speed_mm_s_});
     end_ = pose;

@@ -90,23 +90,23 @@ tl::unexpected<PlanError> orientation_path_error(OrientationError error,
     switch (error) {
         case OrientationError::opposite:
             return no_path_error(
-                "The tool would turn to the opposite direction, to which no great circle is the "
-                "only one; put a target in between.");
+                "The tool would turn to the opposite direction, for which the great circle is not unique; "
+                "insert a target in between.");
         case OrientationError::same:
             return no_path_error(fmt::format(
-                "The tool would keep its direction while joints {} and {} (counted from 0) turn, which no "
-                "great circle leads to; make it a rapid move or turn by the joint angles.",
+                "The tool would keep its direction while joints {} and {} (counted from 0) turn, which is "
+                "not possible on a great circle; make it a rapid move or turn by the joint angles.",
                 head.turn_joint, head.tilt_joint));
         case OrientationError::at_pole:
             return no_path_error(fmt::format(
-                "The tool stands along the axis of joint {0} (counted from 0) at one end of the move, so "
-                "that the great circle keeps joint {0} where it is; turn it to its value before or after.",
+                "The tool is along the axis of joint {0} (counted from 0) at one end of the move, so that "
+                "the great circle does not turn joint {0}; turn it to its value before or after.",
                 head.turn_joint));
         case OrientationError::different_solution: break;
     }
     return no_path_error(fmt::format(
-        "The great circle leads to this direction of the tool with other values of joints {} and {} (counted "
-        "from 0), by a half turn or whole turns; take these values or turn by the joint angles.",
+        "The great circle reaches this direction of the tool with other values of joints {} and {} (counted "
+        "from 0), by a half turn or full turns; use these values or turn by the joint angles.",
         head.turn_joint, head.tilt_joint));
 }
 
@@ -130,8 +130,8 @@ std::optional<std::string> find_great_circle_error(const PlannerSetup& setup) {
     if (!setup.controller.has_great_circles())
         return "This controller plans lines of joint values; it turns the tool by the joint angles.";
     if (!setup.kinematics->tilting_head()) {
-        return "This machine has no head of a turning and a tilting joint through the tip of its tool; it "
-               "turns the tool by the joint angles.";
+        return "This machine has no head with a turning and a tilting joint through its TCP; it turns the "
+               "tool by the joint angles.";
     }
     return std::nullopt;
 }

@@ -12,7 +12,7 @@ class PathSink {
     /// Receives a move that the model is about to get.
     virtual void on_programmed_move(const PathMove& move) = 0;
     /// Takes back the last reported move, which the model has rejected.
-    virtual void retract_last() = 0;
+    virtual void discard_last_move() = 0;
     /// Drops what has not been driven so far, because it will not be.
     virtual void forget() = 0;
 };

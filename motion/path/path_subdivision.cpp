@@ -77,10 +77,11 @@ class PathSubdivider {
             const Eigen::Vector3d requested =
                 path_.tcp_path().at(interval.from + share * (interval.to - interval.from));
             const double deviation_mm = (pose * path_.tcp_mm() - requested).norm();
-            if (!(deviation_mm <= kToleranceShare * setup_.controller.tcp_tolerance_mm)) return false;
+            if (!(deviation_mm <= kToleranceShare * setup_.controller.coordination.tcp_tolerance_mm))
+                return false;
             if (share != 0.5) continue;
-            const Eigen::Quaterniond probe_orientation(pose.linear());
-            if (!(probe_orientation.angularDistance(Eigen::Quaterniond(
+            const Eigen::Quaterniond sample_orientation(pose.linear());
+            if (!(sample_orientation.angularDistance(Eigen::Quaterniond(
                       path_.tool_pose(middle_joints).linear())) <= kSubdivisionAngle_rad)) {
                 return false;
             }
@@ -93,7 +94,7 @@ class PathSubdivider {
         if (sub_segments_.size() >= kMaxPathSubSegments) {
             return make_plan_error(
                 rrs::Status::RRS_INVALID_PARAMETER,
-                fmt::format("The way of the tool would take more than {} lines of the joints.",
+                fmt::format("The path of the tool would need more than {} lines of the joints.",
                             kMaxPathSubSegments));
         }
         PathSubSegment sub_segment;
@@ -129,7 +130,7 @@ class PathSubdivider {
     PlanResult unreachable(const std::string& reason, double share) const {
         return make_plan_error(
             rrs::Status::RRS_NO_SOLUTION,
-            fmt::format("The tool cannot follow its way {}: {}", location_text(share), reason));
+            fmt::format("The tool cannot follow its path {}: {}", location_text(share), reason));
     }
 
     PlanResult jump(const PathInterval& interval, const rrs::JointPos& end) const {
@@ -138,8 +139,8 @@ class PathSubdivider {
         const bool rotary = setup_.role(static_cast<int>(joint)) == JointRole::rotary;
         return make_plan_error(
             rrs::Status::RRS_NO_SOLUTION,
-            fmt::format("The way of the tool passes a singular place {}, where joint {} (counted from 0) "
-                        "would jump by {:.3g} {}; lead it round that place, or move by joints.",
+            fmt::format("The path of the tool passes a singularity {}, where joint {} (counted from 0) would "
+                        "jump by {:.3g} {}; avoid that position, or move by joints.",
                         location_text(interval.to), joint,
                         std::abs(end[joint] - from_[joint]) * (rotary ? kDegPerRad : 1.0),
                         rotary ? "deg" : "mm"));

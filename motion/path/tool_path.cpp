@@ -40,7 +40,7 @@ class SlideCompensatedPath final : public ToolPath {
         const rrs::JointPos linear_joints = start_ + share * (end_ - start_);
         auto joints = solve_slides(setup_, linear_joints, tcp_mm(), tcp_path().at(share));
         if (joints) return *std::move(joints);
-        return tl::unexpected(std::string("The rotary axes stand so that two slides go the same way."));
+        return tl::unexpected(std::string("The position of the rotary axes makes two linear axes parallel."));
     }
 
   private:

@@ -2,9 +2,20 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "motion/path/master_path.h"
 #include "motion/segment/followers.h"
 
 namespace gsim::motion {
+
+using rrs::Status;
+
+namespace {
+
+constexpr double kMinTime_s = 1e-6;
+
+}  // namespace
 
 JointParameters::JointParameters(int joint_count)
     : speeds(rrs::JointPos::Constant(joint_count, kUnlimited)), accelerations(speeds), jerks(speeds) {}
@@ -42,6 +53,19 @@ LawLimits MoveParameters::joint_limits(const PlannerSetup& setup, int joint, dou
     limits.deceleration = std::min(acceleration, limits.deceleration);
     if (ramp_mode() != rrs::RampMode::linear) limits.jerk = std::min(joints->jerks[joint], limits.jerk);
     return limits;
+}
+
+PlanResult check_positive(double value, std::string_view what) {
+    if (value > 0) return {};
+    return make_plan_error(Status::RRS_INVALID_PARAMETER,
+                           fmt::format("The {} must be greater than 0, not {}.", what, value));
+}
+
+PlanResult check_motion_time(double motion_s) {
+    if (motion_s >= kMinTime_s && motion_s <= kMaxDuration_s) return {};
+    return make_plan_error(
+        Status::RRS_INVALID_PARAMETER,
+        fmt::format("A motion time must be from {} to {} s, not {}.", kMinTime_s, kMaxDuration_s, motion_s));
 }
 
 }  // namespace gsim::motion

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "controller/services/types.h"
 #include "motion/planner/move_rules.h"
+#include "motion/planner/plan_error.h"
 #include "motion/planner/planner_setup.h"
 #include "motion/profile/ramps.h"
 #include "motion/profile/s_curve.h"
@@ -47,5 +49,10 @@ struct MoveParameters {
     /// 1: of the programmed one).
     LawLimits joint_limits(const PlannerSetup& setup, int joint, double speed_share) const;
 };
+
+/// Checks that a programmed value is above 0; `what` is its name. Error: RRS_INVALID_PARAMETER.
+PlanResult check_positive(double value, std::string_view what);
+/// Checks that a move may be requested to take a time. Error: RRS_INVALID_PARAMETER.
+PlanResult check_motion_time(double motion_s);
 
 }  // namespace gsim::motion

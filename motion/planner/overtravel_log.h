@@ -24,7 +24,7 @@ class OvertravelLog {
         overtravels_.clear();
     }
     /// Rejects such targets again.
-    void stop_passing() { accepts_excursions_ = false; }
+    void forbid_overtravel() { accepts_excursions_ = false; }
     bool accepts_excursions() const { return accepts_excursions_; }
 
     /// Keeps one entry for each end of a joint's range: the farthest.
@@ -44,7 +44,7 @@ class OvertravelPermit {
         if (notes_ != nullptr) notes_->allow_overtravel();
     }
     ~OvertravelPermit() {
-        if (notes_ != nullptr) notes_->stop_passing();
+        if (notes_ != nullptr) notes_->forbid_overtravel();
     }
     OvertravelPermit(const OvertravelPermit&) = delete;
     OvertravelPermit& operator=(const OvertravelPermit&) = delete;

@@ -18,7 +18,7 @@ class PendingTargets {
         return true;
     }
     /// Removes the last target that was added.
-    void retract_last() { ids_.pop_back(); }
+    void discard_last_move() { ids_.pop_back(); }
     bool has(rrs::TargetId id) const { return std::find(ids_.begin(), ids_.end(), id) != ids_.end(); }
     /// Returns the oldest target.
     std::optional<rrs::TargetId> first() const {

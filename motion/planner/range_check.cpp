@@ -75,14 +75,14 @@ PlanResult check_arc_ranges(const PlannerSetup& setup, const Arc& arc) {
         const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
         const Range wide = arc.bounds(axis);
         if (wide.min >= range.min && wide.max <= range.max) continue;
-        PlanResult checked = check_travel(setup, joint, arc.range(axis), "on the way along the arc");
+        PlanResult checked = check_travel(setup, joint, arc.range(axis), "along the arc");
         if (!checked) return checked;
     }
     return {};
 }
 
 PlanResult check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc) {
-    return check_travel(setup, arc.tilt_joint(), arc.tilt_range(), "on the way along the great circle");
+    return check_travel(setup, arc.tilt_joint(), arc.tilt_range(), "along the great circle");
 }
 
 }  // namespace gsim::motion

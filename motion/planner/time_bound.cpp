@@ -88,14 +88,14 @@ double TimeBound::bound_s() const {
     return finalized_s_ + pass.time_s;
 }
 
-TimeBound::MotionLimits TimeBound::curve_reach(const PathCaps& caps) {
+TimeBound::MotionLimits TimeBound::squared_limits(const PathCaps& caps) {
     return {squared(sanitized(caps.max_speed)), sanitized(caps.max_acceleration),
             sanitized(caps.max_deceleration)};
 }
 
 void TimeBound::add_line(double length, const PathCaps& caps) {
     if (!(length > kMinValue)) return;
-    const MotionLimits motion_limits = curve_reach(caps);
+    const MotionLimits motion_limits = squared_limits(caps);
     add_sub_segment({std::min(length, kInfeasible), motion_limits, 0, 0}, motion_limits.speed2,
                     motion_limits.speed2);
 }
@@ -119,7 +119,7 @@ void TimeBound::add_curve(const Curve& curve, const PathCaps& caps) {
     const double requested = std::ceil(curve.turn_rad / grid_.cell_rad);
     const int cells = requested > 1 ? static_cast<int>(std::min(requested, kMaxCells)) : 1;
     const double length = curve.length / cells;
-    const MotionLimits path = curve_reach(caps);
+    const MotionLimits path = squared_limits(caps);
     CurvePoint start = curve.at(0);
     for (int cell = 1; cell <= cells; ++cell) {
         CurvePoint end = curve.at(cell < cells ? cell * length : curve.length);

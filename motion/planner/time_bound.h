@@ -109,7 +109,7 @@ class TimeBound {
         double time_s;
     };
 
-    static MotionLimits curve_reach(const PathCaps& caps);
+    static MotionLimits squared_limits(const PathCaps& caps);
     static double min_time_s(double length, double start2, double end2, const MotionLimits& motion_limits);
     double node_speed2(const CurvePoint& point, const MotionLimits& path) const;
     void add_cell(double length, const CurvePoint& start, const CurvePoint& end, const Curve& curve,

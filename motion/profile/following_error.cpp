@@ -52,7 +52,7 @@ Segment& FollowingError::begin(rrs::TargetId id) {
 
 /// The time between two segments is a dwell. The lags of two simultaneous motions add up.
 void FollowingError::finish() {
-    const double gain_1_s = controller_.position_gain_1_s;
+    const double gain_1_s = position_loop_.gain_1_s;
     if (gain_1_s > 0) {
         const double standstill_s = std::max(open_->start_s - end_s_, 0.0);
         lag_ = lag_after(open_->master, lag_ * std::exp(-gain_1_s * standstill_s), gain_1_s);

@@ -16,8 +16,8 @@ double lag_after(const TimeLaw& law, double lag, double gain_1_s);
 class FollowingError final : public SegmentOutput {
   public:
     /// Both must outlive this. The lag is 0 without a gain.
-    FollowingError(const rrs::ControllerRules& controller, SegmentOutput& output)
-        : controller_(controller), output_(output) {}
+    FollowingError(const rrs::PositionLoopRules& position_loop, SegmentOutput& output)
+        : position_loop_(position_loop), output_(output) {}
 
     Segment& begin(rrs::TargetId id) override;
     void finish() override;
@@ -28,7 +28,7 @@ class FollowingError final : public SegmentOutput {
     double lag() const { return lag_; }
 
   private:
-    const rrs::ControllerRules& controller_;
+    const rrs::PositionLoopRules& position_loop_;
     SegmentOutput& output_;
     Segment* open_ = nullptr;
     double lag_ = 0;

@@ -38,8 +38,9 @@ void activate_ramps(const ProgrammedRamps& ramps, const PlannerSetup& machine, P
     setup.path.max_rapid_acceleration_mm_s2 =
         infinite ? kUnlimited : machine.path.max_rapid_acceleration_mm_s2;
     setup.path.max_acceleration_mm_s2 = infinite ? kUnlimited : machine.path.max_acceleration_mm_s2;
-    setup.controller.limit_jerk =
-        ramps.mode == RampMode::s_curve || (ramps.mode == RampMode::machine && machine.controller.limit_jerk);
+    setup.controller.ramps.limit_jerk =
+        ramps.mode == RampMode::s_curve ||
+        (ramps.mode == RampMode::machine && machine.controller.ramps.limit_jerk);
 }
 
 }  // namespace gsim::motion

@@ -22,9 +22,10 @@ TimeLaw rest_to_rest_law(double length, const LawLimits& limits, double fastest_
     const bool fastest = duration_s <= fastest_s;
     if (is_trapezoid(limits)) {
         return fastest ? TimeLaw::fastest(length, limits.max_speed, limits.acceleration)
-                       : TimeLaw::in_time(length, duration_s, limits.acceleration, limits.max_speed);
+                       : TimeLaw::with_duration(length, duration_s, limits.acceleration, limits.max_speed);
     }
-    return fastest ? TimeLaw::between(length, 0, 0, limits) : TimeLaw::in_time(length, duration_s, limits);
+    return fastest ? TimeLaw::between(length, 0, 0, limits)
+                   : TimeLaw::with_duration(length, duration_s, limits);
 }
 
 }  // namespace gsim::motion

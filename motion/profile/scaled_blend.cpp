@@ -140,10 +140,10 @@ void append(const Segment& blend, const ScaledInterval& section, ScaledBlend& sc
     scaled_blend.until_s = section.to_s;
     scaled_blend.rate = section.end_rate;
     if (section.to_s - section.from_s <= kTimeTolerance_s) return;
-    constexpr int kMaxPerLaw = static_cast<int>(TimeLaw::kMaxSections);
+    constexpr int kMaxSectionsPerLaw = static_cast<int>(TimeLaw::kMaxSections);
     const int count = section_count(blend, section);
-    for (int first = 0; first < count; first += kMaxPerLaw) {
-        const int last = std::min(first + kMaxPerLaw, count);
+    for (int first = 0; first < count; first += kMaxSectionsPerLaw) {
+        const int last = std::min(first + kMaxSectionsPerLaw, count);
         const double to_s = last == count ? section.to_s : section.at_s(static_cast<double>(last) / count);
         scaled_blend.parts.push_back(
             superimposed_part(blend, section.at_s(static_cast<double>(first) / count), to_s,
@@ -168,15 +168,15 @@ std::vector<double> breakpoints_s(const Segment& blend, double from_s) {
 }
 
 /// Requirements of the plan on the joints in a stretch.
-struct JointDemand {
+struct JointPeaks {
     Eigen::ArrayXd speed;         ///< Greatest.
     Eigen::ArrayXd acceleration;  ///< Greatest, up or down.
     Eigen::ArrayXd speeding_up;   ///< Greatest that makes the joint faster, not below 0.
     Eigen::ArrayXd braking;       ///< Greatest that makes the joint slower, not below 0.
 };
 
-JointDemand joint_demand(const Segment& blend, double from_s, double to_s) {
-    JointDemand demand;
+JointPeaks joint_peaks(const Segment& blend, double from_s, double to_s) {
+    JointPeaks demand;
     demand.speed = Eigen::ArrayXd::Zero(blend.start.size());
     demand.acceleration = demand.speeding_up = demand.braking = demand.speed;
     for (const double end_s : {from_s, to_s})
@@ -194,7 +194,7 @@ JointDemand joint_demand(const Segment& blend, double from_s, double to_s) {
 }
 
 /// Returns how fast the rate may change (1/s) if the plan takes `taken` of the joints' accelerations.
-double max_rate_change(const JointDemand& demand, const Eigen::ArrayXd& used,
+double max_rate_change(const JointPeaks& demand, const Eigen::ArrayXd& used,
                        const rrs::JointPos& acceleration) {
     double change = std::numeric_limits<double>::infinity();
     for (Eigen::Index joint = 0; joint < used.size(); ++joint) {
@@ -206,7 +206,7 @@ double max_rate_change(const JointDemand& demand, const Eigen::ArrayXd& used,
 }
 
 /// Returns the highest rate at which the plan leaves acceleration for speeding up.
-double reachable_rate(const JointDemand& demand, const rrs::JointPos& acceleration) {
+double reachable_rate(const JointPeaks& demand, const rrs::JointPos& acceleration) {
     double square = 1;
     for (Eigen::Index joint = 0; joint < demand.acceleration.size(); ++joint) {
         const double planned = demand.acceleration[joint];
@@ -222,7 +222,7 @@ ScaledBlend slow_down(const Segment& blend, double from_s, double rate, const rr
     ScaledBlend scaled_blend{{}, from_s, rate};
     for (const double to_s : breakpoints_s(blend, from_s)) {
         const double at_s = scaled_blend.until_s;
-        const JointDemand demand = joint_demand(blend, at_s, to_s);
+        const JointPeaks demand = joint_peaks(blend, at_s, to_s);
         const double change =
             max_rate_change(demand, demand.braking * scaled_blend.rate * scaled_blend.rate, acceleration);
         const double stop_s = at_s + scaled_blend.rate * scaled_blend.rate / (2 * change);
@@ -242,13 +242,13 @@ ScaledBlend speed_up(const Segment& blend, double rate, const rrs::JointPos& acc
     const std::vector<double> instants = breakpoints_s(blend, 0);
     double highest = 1;
     for (double from_s = 0; const double to_s : instants) {
-        highest = std::min(highest, reachable_rate(joint_demand(blend, from_s, to_s), acceleration));
+        highest = std::min(highest, reachable_rate(joint_peaks(blend, from_s, to_s), acceleration));
         from_s = to_s;
     }
     for (const double to_s : instants) {
         if (scaled_blend.rate < highest * kReachedShare) {
             const double at_s = scaled_blend.until_s;
-            const JointDemand demand = joint_demand(blend, at_s, to_s);
+            const JointPeaks demand = joint_peaks(blend, at_s, to_s);
             const double change =
                 max_rate_change(demand, demand.speeding_up * highest * highest, acceleration);
             const double square = scaled_blend.rate * scaled_blend.rate;

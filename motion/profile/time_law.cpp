@@ -63,14 +63,14 @@ TimeLaw TimeLaw::fastest(double length, double max_speed, double max_acceleratio
 // The cruise speed v solves length = v duration - v^2 / acceleration; this form of the root has no
 // cancellation. Rounding may lift v by the square root of an epsilon if the root is nearly double (a
 // triangle). The length then depends on v only in the second order, so holding it to max_speed costs nothing.
-TimeLaw TimeLaw::in_time(double length, double duration_s, double max_acceleration, double max_speed) {
+TimeLaw TimeLaw::with_duration(double length, double duration_s, double max_acceleration, double max_speed) {
     if (!(duration_s > 0)) return {length, 0, 0, max_acceleration};
     const double square = 1 - 4 * length / max_acceleration / (duration_s * duration_s);
     const double speed = 2 * length / (duration_s * (1 + std::sqrt(std::max(0.0, square))));
     return {length, duration_s, std::min(speed, max_speed), max_acceleration};
 }
 
-TimeLaw TimeLaw::in_time(double length, double duration_s, const LawLimits& limits) {
+TimeLaw TimeLaw::with_duration(double length, double duration_s, const LawLimits& limits) {
     LawLimits slower = limits;
     slower.max_speed = std::min(cruise_speed(length, duration_s, limits), limits.max_speed);
     TimeLaw law = between(length, 0, 0, slower);

@@ -44,13 +44,13 @@ class TimeLaw {
     /// `max_acceleration` and the resulting cruise speed. `duration_s` must not be less than that of
     /// fastest(length, max_speed, max_acceleration); a shortfall within rounding is taken as equal.
     /// `max_speed` only keeps rounding from passing that speed.
-    static TimeLaw in_time(double length, double duration_s, double max_acceleration,
-                           double max_speed = std::numeric_limits<double>::infinity());
+    static TimeLaw with_duration(double length, double duration_s, double max_acceleration,
+                                 double max_speed = std::numeric_limits<double>::infinity());
 
     /// Returns the law from standstill to standstill over `length` > 0 in exactly `duration_s`, with the
     /// ramps of `limits` and the resulting cruise speed. `duration_s` must not be less than that of
     /// between(length, 0, 0, limits); a shortfall within rounding is taken as equal.
-    static TimeLaw in_time(double length, double duration_s, const LawLimits& limits);
+    static TimeLaw with_duration(double length, double duration_s, const LawLimits& limits);
 
     /// Returns the law of least time over `length` >= 0 from start_speed to end_speed, both >= 0, with
     /// acceleration 0 at both ends if the jerk is finite. A start_speed above max_speed is braked first, with

@@ -56,11 +56,11 @@ LawLimits other_joint_limits(const PlannerSetup& setup, const MoveRules& rules, 
 LawLimits law_limits(const PlannerSetup& setup, int joint) {
     const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
     return {limits.max_speed, limits.max_acceleration, limits.deceleration(),
-            setup.controller.limit_jerk ? limits.max_jerk : kUnlimited};
+            setup.controller.ramps.limit_jerk ? limits.max_jerk : kUnlimited};
 }
 
-LimitedBy reached_limit(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
-                        const LimitedBy& acceleration_limit, const LimitedBy& jerk_limit) {
+LimitCause reached_limit(const TimeLaw& law, const LawLimits& limits, const LimitCause& speed_limit,
+                         const LimitCause& acceleration_limit, const LimitCause& jerk_limit) {
     constexpr double kReachedShare = 1 - 1e-12;
     if (law.peak_speed() >= limits.max_speed * kReachedShare) return speed_limit;
     const double acceleration = std::min(limits.acceleration, limits.deceleration);

@@ -20,7 +20,7 @@ class Followers {
     /// Returns the least time in which all of them can cover their paths.
     double fastest_s() const { return fastest_s_; }
     /// Returns the limit of the slowest of them.
-    LimitedBy slowest() const { return slowest_; }
+    LimitCause slowest() const { return slowest_; }
     /// Writes them to the segment, stretched to `duration_s` >= fastest_s().
     void write(Segment& segment, double duration_s) const;
 
@@ -37,7 +37,7 @@ class Followers {
     std::array<Move, rrs::kMaxJoints> moves_;  // only the first count_ hold values
     std::size_t count_ = 0;
     double fastest_s_ = 0;
-    LimitedBy slowest_;
+    LimitCause slowest_;
 };
 
 /// Returns what the limits of a joint allow it.
@@ -54,7 +54,7 @@ bool moves_outside_path(const JointChanges& changes, JointRole master, const Ori
                         int joint);
 
 /// Returns what keeps a motion within limits from being faster: its speed, its acceleration or its jerk.
-LimitedBy reached_limit(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
-                        const LimitedBy& acceleration_limit, const LimitedBy& jerk_limit);
+LimitCause reached_limit(const TimeLaw& law, const LawLimits& limits, const LimitCause& speed_limit,
+                         const LimitCause& acceleration_limit, const LimitCause& jerk_limit);
 
 }  // namespace gsim::motion

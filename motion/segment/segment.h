@@ -47,11 +47,11 @@ enum class LimitKind : std::uint8_t {
 #include "base/kinds/limit_kind.def"
 };
 
-struct LimitedBy {
+struct LimitCause {
     LimitKind kind = LimitKind::feed;
     std::int8_t joint = -1;  ///< Joint of joint_speed, acceleration and jerk.
 
-    bool operator==(const LimitedBy&) const = default;
+    bool operator==(const LimitCause&) const = default;
 };
 
 /// Deviation of a controller from the programmed path.
@@ -80,7 +80,7 @@ struct Segment {
     std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.
     TimeLaw master;           ///< Along the path: of its length in mm, or of the lead joints' norm.
     LawLimits master_limits;  ///< Limits that the lead keeps, so far as they limit it; none in a dwell.
-    LimitedBy limited_by;
+    LimitCause limited_by;
     /// Superimposed motion of the same duration, which adds its path to this one's; null in most segments
     /// (used by parabolic blends).
     std::shared_ptr<const Segment> superimposed;

@@ -1,6 +1,6 @@
 #include "motion/services/planner_shell.h"
 
-#include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,7 +9,71 @@ namespace gsim::motion {
 
 using rrs::Status;
 
-PlannerShell::PlannerShell(Planner& planner) : planner_(planner) {}
+namespace {
+
+Status status_of(const tl::expected<Status, PlanError>& served) {
+    return *served;
+}
+
+Status status_of(const PlanResult&) {
+    return Status::RRS_SUCCESS;
+}
+
+}  // namespace
+
+PlannerShell::PlannerShell(Planner& planner)
+    : planner_(planner),
+      frames_(planner, selections_),
+      kinematics_(planner.machine(), planner.targets(), selections_),
+      targets_(planner, selections_),
+      steps_(planner, selections_, frames_, targets_),
+      events_(planner.events()),
+      speeds_(planner.machine(), selections_),
+      path_modes_(selections_, planner.buffered_moves().can_pass_targets()),
+      rules_(planner.machine(), selections_),
+      objects_(planner, frames_, selections_) {}
+
+/// Calls the function of a service, which may return an error or a status, and keeps the error. Each service
+/// needs a session.
+template <typename Service>
+Status PlannerShell::serve(const Service& service) {
+    if (!initialized_) {
+        return to_status({.status = Status::RRS_NOT_INITIALIZED,
+                          .message = "The planner is not initialized; call Initialize first."});
+    }
+    if constexpr (std::is_void_v<decltype(service())>) {
+        service();
+        return Status::RRS_SUCCESS;
+    } else if constexpr (std::is_same_v<decltype(service()), Status>) {
+        return service();
+    } else {
+        auto served = service();
+        return served ? status_of(served) : to_status(std::move(served.error()));
+    }
+}
+
+Status PlannerShell::to_status(PlanError error) {
+    error_ = std::move(error);
+    return error_.status;
+}
+
+Status PlannerShell::not_supported(std::string_view service) {
+    return to_status(
+        {.status = Status::RRS_SERVICE_NOT_SUPPORTED,
+         .message = fmt::format("The default planner does not support the service {}.", service)});
+}
+
+// The frames of the cell are selected after the selections have their defaults.
+void PlannerShell::restart() {
+    planner_.restart();
+    selections_ = {};
+    targets_.drop_via();
+    frames_.restart();
+    objects_.restart();
+    error_ = {};
+}
+
+// Session
 
 Status PlannerShell::Initialize() {
     restart();
@@ -18,16 +82,14 @@ Status PlannerShell::Initialize() {
 }
 
 Status PlannerShell::Reset() {
-    if (!initialized_) return not_initialized();
-    restart();
-    return Status::RRS_SUCCESS;
+    return serve([&] { restart(); });
 }
 
 Status PlannerShell::Terminate() {
-    if (!initialized_) return not_initialized();
-    restart();
-    initialized_ = false;
-    return Status::RRS_SUCCESS;
+    return serve([&] {
+        restart();
+        initialized_ = false;
+    });
 }
 
 Status PlannerShell::GetMessage(std::string& message) {
@@ -35,76 +97,67 @@ Status PlannerShell::GetMessage(std::string& message) {
     return Status::RRS_SUCCESS;
 }
 
-void PlannerShell::restart() {
-    planner_.restart();
-    selections_ = {};
-    via_.reset();
-    frames_before_.clear();
-    machine_moved_s_ = 0;
-    if (cell_ != nullptr) static_cast<void>(select_frames());
-    object_ = ObjectMotion();
-    object_frame_.reset();
-    object_idle_s_ = 0;
-    error_ = {};
+// Kinematics and frames
+
+Status PlannerShell::GetInverseKinematics(const rrs::CartPos& pose, const rrs::JointPos& near,
+                                          rrs::JointPos& joints) {
+    return serve([&] { return kinematics_.get_inverse_kinematics(pose, near, joints); });
 }
 
-/// Returns a target by the selected type.
-Goal PlannerShell::goal(const rrs::CartPos& cartesian, const rrs::JointPos& joints) const {
-    if (selections_.target_type == rrs::TargetType::joint) return {joints, std::nullopt};
-    return {{}, PoseGoal{selections_.frames.object * cartesian, selections_.frames.tool}};
+Status PlannerShell::GetForwardKinematics(const rrs::JointPos& joints, rrs::CartPos& pose) {
+    return serve([&] { return kinematics_.get_forward_kinematics(joints, pose); });
 }
 
-Move PlannerShell::move_to(rrs::TargetId id, rrs::MotionType type, Goal goal) const {
-    Move move;
-    move.target_id = id;
-    move.type = type;
-    move.goal = std::move(goal);
-    move.move_parameters = selections_.move_parameters;
-    move.dwell_s = selections_.dwell_s;
-    if (type == rrs::MotionType::joint || !selections_.tcp_mm) return move;
-    const bool uses_frame_names = move.goal.pose && selections_.frame_names;
-    move.tcp_mm =
-        uses_frame_names ? Eigen::Vector3d(move.goal.pose->tool.translation()) : *selections_.tcp_mm;
-    return move;
+Status PlannerShell::GetCellFrame(std::string_view frame_name, rrs::CartPos& frame) {
+    if (frames_.cell() == nullptr) return Shell::GetCellFrame(frame_name, frame);
+    return serve([&] { return frames_.get_cell_frame(frame_name, frame); });
 }
 
-Status PlannerShell::enqueue(const Move& move) {
-    const EnqueueResult result = planner_.enqueue(move);
-    if (!result) return to_status(result.error());
-    // A time, a dwell and a via point belong to one target in RRS; all other selections stay.
-    selections_.move_parameters.motion_time_s = 0;
-    selections_.dwell_s = 0;
-    via_.reset();
-    if (!*result) return Status::RRS_SUCCESS;
-    return to_status(time_raised(**result));
+Status PlannerShell::ModifyCellFrame(std::string_view frame_name, const rrs::CartPos& frame) {
+    if (frames_.cell() == nullptr) return Shell::ModifyCellFrame(frame_name, frame);
+    return serve([&] { return frames_.modify_cell_frame(frame_name, frame); });
+}
+
+Status PlannerShell::SelectWorkFrames(std::string_view tool_frame, std::string_view object_frame) {
+    if (frames_.cell() == nullptr) return Shell::SelectWorkFrames(tool_frame, object_frame);
+    return serve([&] { return frames_.select_work_frames(tool_frame, object_frame); });
+}
+
+// Targets
+
+Status PlannerShell::SelectTargetType(rrs::TargetType type) {
+    return serve([&] { return targets_.select_target_type(type); });
+}
+
+Status PlannerShell::SelectMotionType(rrs::MotionType type) {
+    return serve([&] { return targets_.select_motion_type(type); });
+}
+
+// This planner has only one.
+Status PlannerShell::SelectTrajectoryMode(int mode) {
+    return Shell::SelectTrajectoryMode(mode);
+}
+
+Status PlannerShell::SetTipControl(bool on, const Eigen::Vector3d& tcp_mm) {
+    return serve([&] { return targets_.set_tcp_control(on, tcp_mm); });
+}
+
+Status PlannerShell::SetMotionTime(double motion_s) {
+    return serve([&] { return targets_.set_motion_time(motion_s); });
+}
+
+Status PlannerShell::SetRestParameter(double dwell_s) {
+    return serve([&] { return targets_.set_dwell(dwell_s); });
 }
 
 Status PlannerShell::SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
                                         std::string_view) {
-    if (!initialized_) return not_initialized();
-    if (planner_.is_tracking())
-        return reject(Status::RRS_INVALID_PARAMETER,
-                      "The position cannot be set while a conveyor is tracked.");
-    if (PlanResult is_stationary = planner_.set_position(goal(cartesian, joints)); !is_stationary)
-        return to_status(std::move(is_stationary.error()));
-    via_.reset();
-    return Status::RRS_SUCCESS;
+    return serve([&] { return targets_.set_initial_position(cartesian, joints); });
 }
 
 Status PlannerShell::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
                                    const rrs::JointPos& joints, std::string_view, double param_value) {
-    if (!initialized_) return not_initialized();
-    if (PlanResult ready = planner_.check_ready_for_move(); !ready)
-        return to_status(std::move(ready.error()));
-    if (!std::isfinite(param_value))
-        return reject(Status::RRS_INVALID_PARAMETER, "The target's parameter is not finite.");
-    if (param == rrs::TargetParam::via) return store_via(goal(cartesian, joints));
-    if (param != rrs::TargetParam::end) {
-        return reject(Status::RRS_INVALID_PARAMETER, "A target is the end of a motion or a via point.");
-    }
-    Move move = move_to(id, selections_.motion_type, goal(cartesian, joints));
-    if (move.type == rrs::MotionType::circular && via_) move.via = Goal{*via_, std::nullopt};
-    return enqueue(move);
+    return serve([&] { return targets_.set_next_target(id, param, cartesian, joints, param_value); });
 }
 
 Status PlannerShell::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param,
@@ -120,99 +173,194 @@ Status PlannerShell::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param
 Status PlannerShell::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
                                       const Eigen::Vector3d& axis, double sweep_rad,
                                       const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
-    if (!initialized_) return not_initialized();
-    Move move = move_to(id, rrs::MotionType::circular, goal(cartesian, joints));
-    move.circle = Circle{center_mm, axis, sweep_rad};
-    if (move.goal.pose) {
-        move.circle->center_mm = selections_.frames.object * center_mm;
-        move.circle->axis = selections_.frames.object.linear() * axis;
-    }
-    return enqueue(move);
-}
-
-Status PlannerShell::store_via(const Goal& goal) {
-    if (selections_.motion_type != rrs::MotionType::circular) {
-        return reject(Status::RRS_INVALID_PARAMETER,
-                      "A via point belongs to circular motion; select that motion type first.");
-    }
-    // The via point is solved now, because the end of the path so far decides which of several solutions is
-    // meant.
-    rrs::JointPos via;
-    if (PlanResult solved = planner_.solve(goal, via); !solved) return to_status(std::move(solved.error()));
-    via_ = via;
-    return Status::RRS_SUCCESS;
+    return serve([&] {
+        return targets_.set_next_arc_target(id, Circle{center_mm, axis, sweep_rad}, cartesian, joints);
+    });
 }
 
 Status PlannerShell::SetNextRest(rrs::TargetId id, double dwell_s) {
-    if (!initialized_) return not_initialized();
-    return to_status(planner_.enqueue_dwell(id, dwell_s));
+    return serve([&] { return planner_.dwells().enqueue(id, dwell_s); });
 }
 
 Status PlannerShell::ComeToRest(rrs::RestReason reason) {
-    if (!initialized_) return not_initialized();
-    const int number = static_cast<int>(reason);
-    if (number < 0 || number > 2) {
-        return reject(
-            Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no reason {} to come to rest; 0 is a query, 1 a wait, 2 the end.", number));
-    }
-    if (reason == rrs::RestReason::end) {
-        planner_.plan_to_final_standstill();
-    } else {
-        planner_.plan_to_standstill(reason == rrs::RestReason::wait);
-    }
-    return Status::RRS_SUCCESS;
+    return serve([&] { return targets_.plan_to_standstill(reason); });
 }
 
+// Motion over time
+
 Status PlannerShell::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) {
-    if (!initialized_) return not_initialized();
-    if (!planner_.has_position())
-        return reject(Status::RRS_NO_INITIAL_POSITION, "There is no position to step from yet.");
-    const double from_s = planner_.step_time_s();
-    const Planner::Step step = planner_.step(selections_.interpolation_s);
-    joints = step.joints;
-    pose = frames_of_step(from_s).to_target(planner_.setup().kinematics->forward(joints));
-    elapsed_s = step.elapsed_s;
-    switch (step.end) {
-        case Planner::Step::StepEnd::in_motion: return Status::RRS_SUCCESS;
-        case Planner::Step::StepEnd::target_reached: return Status::RRS_TARGET_REACHED;
-        case Planner::Step::StepEnd::at_end: break;
-    }
-    return Status::RRS_NEED_MORE_DATA;
+    return serve([&] { return steps_.get_next_step(joints, pose, elapsed_s); });
+}
+
+Status PlannerShell::SetInterpolationTime(double interpolation_s) {
+    return serve([&] { return steps_.set_interpolation_time(interpolation_s); });
 }
 
 Status PlannerShell::GetTargetOfLastStep(rrs::TargetId& id) {
-    if (!initialized_) return not_initialized();
-    id = planner_.target_of_last_step();
-    return Status::RRS_SUCCESS;
+    return serve([&] { id = planner_.timeline().target_of_last_step(); });
 }
 
 Status PlannerShell::GetCurrentTargetId(rrs::TargetId& id) {
-    if (!initialized_) return not_initialized();
-    id = planner_.current_target();
-    return Status::RRS_SUCCESS;
+    return serve([&] { id = planner_.current_target(); });
 }
 
-Status PlannerShell::to_status(PlanError error) {
-    error_ = std::move(error);
-    return error_.status;
+Status PlannerShell::StopMotion() {
+    return serve([&] { return steps_.stop_motion(); });
 }
 
-Status PlannerShell::to_status(PlanResult planned) {
-    return planned ? Status::RRS_SUCCESS : to_status(std::move(planned.error()));
+Status PlannerShell::ContinueMotion() {
+    return serve([&] { return steps_.continue_motion(); });
 }
 
-Status PlannerShell::reject(Status status, std::string message) {
-    return to_status(PlanError{.status = status, .message = std::move(message)});
+Status PlannerShell::CancelMotion() {
+    return serve([&] { return steps_.cancel_motion(); });
 }
 
-Status PlannerShell::not_initialized() {
-    return reject(Status::RRS_NOT_INITIALIZED, "The planner is not initialized; call Initialize first.");
+// Speeds, accelerations and ramps
+
+Status PlannerShell::SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) {
+    return serve([&] { return speeds_.set_joint_speeds(joints, speeds); });
 }
 
-Status PlannerShell::not_supported(std::string_view service) {
-    return reject(Status::RRS_SERVICE_NOT_SUPPORTED,
-                  fmt::format("The default planner does not offer the service {}.", service));
+Status PlannerShell::SetJointAccelerations(std::span<const int> joints,
+                                           std::span<const double> accelerations) {
+    return serve([&] { return speeds_.set_joint_accelerations(joints, accelerations); });
+}
+
+Status PlannerShell::SetJointJerks(std::span<const int> joints, std::span<const double> jerks) {
+    return serve([&] { return speeds_.set_joint_jerks(joints, jerks); });
+}
+
+Status PlannerShell::SetRampMode(rrs::RampMode mode) {
+    return serve([&] { return speeds_.set_ramp_mode(mode); });
+}
+
+Status PlannerShell::SetJointRampLimits(rrs::RampLimit limit, std::span<const int> joints,
+                                        std::span<const double> values) {
+    return serve([&] { return speeds_.set_joint_ramp_limits(limit, joints, values); });
+}
+
+Status PlannerShell::SetCartesianPositionSpeed(double speed_mm_s) {
+    return serve([&] { return speeds_.set_cartesian_position_speed(speed_mm_s); });
+}
+
+Status PlannerShell::SetCartesianOrientationSpeed(double speed_rad_s) {
+    return serve([&] { return speeds_.set_cartesian_orientation_speed(speed_rad_s); });
+}
+
+Status PlannerShell::SetCartesianPositionAcceleration(double acceleration_mm_s2) {
+    return serve([&] { return speeds_.set_cartesian_position_acceleration(acceleration_mm_s2); });
+}
+
+Status PlannerShell::SetCartesianOrientationAcceleration(double acceleration_rad_s2) {
+    return serve([&] { return speeds_.set_cartesian_orientation_acceleration(acceleration_rad_s2); });
+}
+
+Status PlannerShell::SetOverrideSpeed(double percent) {
+    return serve([&] { return speeds_.set_override_speed(percent); });
+}
+
+Status PlannerShell::SetOverrideAcceleration(double percent) {
+    return serve([&] { return speeds_.set_override_acceleration(percent); });
+}
+
+// Passing by targets, accuracy and orientation
+
+Status PlannerShell::SelectFlybyMode(bool on) {
+    return serve([&] { return path_modes_.select_flyby_mode(on); });
+}
+
+Status PlannerShell::SetPathMode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) {
+    return serve([&] { return path_modes_.set_path_mode(mode, tolerance_mm, merge_tolerance_mm); });
+}
+
+Status PlannerShell::SelectDominantInterpolation(rrs::Dominance dominance) {
+    return serve([&] { return path_modes_.select_dominant_interpolation(dominance); });
+}
+
+Status PlannerShell::SetRapid(bool on) {
+    return serve([&] { path_modes_.set_rapid(on); });
+}
+
+Status PlannerShell::SelectFlybyCriteria(int criterion) {
+    return serve([&] { return rules_.select_flyby_criteria(criterion); });
+}
+
+Status PlannerShell::SetFlybyCriteriaParameter(int criterion, int joint, double value) {
+    return serve([&] { return rules_.set_flyby_criteria_parameter(criterion, joint, value); });
+}
+
+Status PlannerShell::CancelFlybyCriteria(int criterion) {
+    return serve([&] { return rules_.cancel_flyby_criteria(criterion); });
+}
+
+Status PlannerShell::SelectPointAccuracy(int accuracy_type) {
+    return serve([&] { return rules_.select_point_accuracy(accuracy_type); });
+}
+
+Status PlannerShell::SetPointAccuracyParameter(int accuracy_type, double value) {
+    return serve([&] { return rules_.set_point_accuracy_parameter(accuracy_type, value); });
+}
+
+Status PlannerShell::SelectOrientationInterpolationMode(int mode) {
+    return serve([&] { return rules_.select_orientation_interpolation_mode(mode); });
+}
+
+// Events and conveyors
+
+Status PlannerShell::DefineEvent(int event_id, rrs::TargetId target, double offset_s) {
+    return serve([&] {
+        return events_.define_event(event_id, target, {EventOffset::Measure::time_s, offset_s});
+    });
+}
+
+Status PlannerShell::DefinePathEvent(int event_id, rrs::TargetId target, double offset_mm) {
+    return serve([&] {
+        return events_.define_event(event_id, target, {EventOffset::Measure::distance_mm, offset_mm});
+    });
+}
+
+Status PlannerShell::CancelEvent(int event_id) {
+    return serve([&] { return events_.cancel_event(event_id); });
+}
+
+Status PlannerShell::GetEvent(int number, int& event_id, double& time_s) {
+    return serve([&] { return events_.get_event(number, event_id, time_s); });
+}
+
+Status PlannerShell::DefineConveyor(int conveyor, const Eigen::Vector3d& direction, double speed_mm_s) {
+    return serve([&] { return planner_.conveyors().define(conveyor, direction, speed_mm_s); });
+}
+
+Status PlannerShell::SetConveyorPosition(int conveyor, double position_mm) {
+    return serve([&] { return planner_.conveyors().set_position(conveyor, position_mm); });
+}
+
+Status PlannerShell::SelectTracking(int conveyor, bool on) {
+    return serve([&] { return planner_.conveyors().select_tracking(conveyor, on, frames_.base_rotation()); });
+}
+
+// Motion of an object of the cell
+
+Status PlannerShell::SelectObject(std::string_view frame_name) {
+    if (frames_.cell() == nullptr) return Shell::SelectObject(frame_name);
+    return serve([&] { return objects_.select_object(frame_name); });
+}
+
+Status PlannerShell::SetObjectInitialPosition(const rrs::CartPos& pose) {
+    return serve([&] { return objects_.set_object_initial_position(pose); });
+}
+
+Status PlannerShell::SetObjectSpeed(double speed_mm_s) {
+    return serve([&] { return objects_.set_object_speed(speed_mm_s); });
+}
+
+Status PlannerShell::SetObjectNextTarget(rrs::TargetId, const rrs::CartPos& pose) {
+    return serve([&] { return objects_.set_object_next_target(pose); });
+}
+
+Status PlannerShell::GetNextObjectStep(rrs::CartPos& pose, double& elapsed_s) {
+    return serve([&] { return objects_.get_next_object_step(pose, elapsed_s); });
 }
 
 }  // namespace gsim::motion

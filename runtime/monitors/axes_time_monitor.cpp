@@ -34,7 +34,7 @@ void AxesTimeMonitor::on_request(const MotionRequest& request) {
 }
 
 void AxesTimeMonitor::ended() {
-    planner_.plan_to_final_standstill();
+    planner_.dwells().plan_to_final_standstill();
     planner_.flush();
 }
 

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/text/format.h"
-#include "base/text/nearest_name.h"
 #include "collision/pairs/candidate_pairs.h"
 #include "motion/kinematics/pose.h"
 #include "runtime/monitors/cell_findings.h"
@@ -39,39 +37,26 @@ CellMonitor::CellMonitor(cell::Cell cell, const machine::Machine& machine, CellO
     : machine_(machine),
       options_(use),
       cell_(std::move(cell)),
-      programmed_frames_(cell_.frames),
-      machine_frames_(machine::make_kinematics(machine_)->chain()),
+      programmed_frames_(cell_.frames, motion::MachineFrames(machine::make_kinematics(machine_)->chain())),
       monitor_(cell_, machine_) {
     findings_.name = cell_.name;
     findings_.clearance_mm = cell_.clearance_mm;
 }
 
-tl::expected<std::size_t, PlanError> CellMonitor::find(std::string_view name) const {
-    if (const auto found = programmed_frames_.find(name)) return *found;
-    const std::vector<std::string_view> names = programmed_frames_.names();
-    const auto nearest = text::nearest_name(name, names);
-    return motion::make_plan_error(
-        Status::RRS_UNKNOWN_FRAME,
-        fmt::format("The cell has no frame '{}'; {}", name,
-                    nearest ? fmt::format("did you mean '{}'?", *nearest)
-                            : fmt::format("there are: {}.", text::joined(names, ", "))));
-}
-
 /// Returns a frame that a program may move.
 tl::expected<std::size_t, PlanError> CellMonitor::find_movable(std::string_view name) const {
-    auto found = find(name);
+    auto found = programmed_frames_.find(name);
     if (!found) return found;
-    if (programmed_frames_.is_machine_frame(*found)) {
+    if (programmed_frames_.tree().is_machine_frame(*found)) {
         return motion::make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format(
-                "The frame '{}' is the machine's, whose file says where it is; of its frames a program "
-                "moves 'tool' and 'base' alone, by ModifyCellFrame.",
-                name));
+            fmt::format("The frame '{}' belongs to the machine and is defined in its file; a program can "
+                        "move only 'tool' and 'base', by ModifyCellFrame.",
+                        name));
     }
     if (const auto moving = find_carrier(*found); moving && cell_.moving_frames[*moving].conveyor) {
         return motion::make_plan_error(Status::RRS_INVALID_PARAMETER,
-                                       fmt::format("The frame '{}' goes with its conveyor.", name));
+                                       fmt::format("The frame '{}' moves with its conveyor.", name));
     }
     return found;
 }
@@ -85,28 +70,28 @@ std::optional<std::size_t> CellMonitor::find_carrier(std::size_t frame) const {
 }
 
 tl::expected<rrs::CartPos, PlanError> CellMonitor::frame(std::string_view name, double time_s) const {
-    if (name == motion::kToolFrame) return machine_frames_.tool();
-    return find(name).map([&](std::size_t found) {
+    if (name == motion::kToolFrame) return programmed_frames_.machine_frames().tool();
+    return programmed_frames_.find(name).map([&](std::size_t found) {
         const auto moving = find_carrier(found);
         return moving ? cell_.moving_frames[*moving].trajectory.at(time_s)
-                      : programmed_frames_.pose_in_parent(found);
+                      : programmed_frames_.tree().pose_in_parent(found);
     });
 }
 
 PlanResult CellMonitor::move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) {
     const bool machine_shapes = motion::MachineFrames::has(name);
-    const auto found = machine_shapes ? find(name) : find_movable(name);
+    const auto found = machine_shapes ? programmed_frames_.find(name) : find_movable(name);
     if (!found) return tl::unexpected(found.error());
     if (auto checked = kinematics::check_pose(pose); !checked)
         return motion::make_plan_error(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
-    if (machine_shapes) machine_frames_.set(name, pose);
+    if (machine_shapes) programmed_frames_.machine_frames().set(name, pose);
     if (name == motion::kToolFrame) return {};
-    note(*found, {.from_s = time_s, .pose = pose});
+    history_.add(*found, {.from_s = time_s, .pose = pose});
     if (const auto moving = find_carrier(*found)) {
         cell_.moving_frames[*moving].trajectory.add({.from_s = time_s, .pose = pose});
         return {};
     }
-    programmed_frames_.move(*found, pose);
+    programmed_frames_.tree().move(*found, pose);
     if (options_.monitored) {
         frame_moves_.push_back({time_s, *found, pose});
     } else {
@@ -122,11 +107,12 @@ PlanResult CellMonitor::enable_frame_motion(std::string_view name) {
     if (find_carrier(*found)) return {};
     cell::FrameTree frames = cell_.frames;
     frames.make_movable(*found);
-    if (const auto error = cell::check_pair_count(cell_.items, frames))
-        return motion::make_plan_error(Status::RRS_INVALID_PARAMETER,
-                                       fmt::format("The frame '{}' cannot go by itself: {}.", name, *error));
+    if (const auto error = cell::find_pair_count_error(cell_.items, frames))
+        return motion::make_plan_error(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("The frame '{}' cannot move independently: {}.", name, error->message));
     cell_.make_movable(*found, false);
-    programmed_frames_.make_movable(*found);
+    programmed_frames_.tree().make_movable(*found);
     for (const FrameMove& move : frame_moves_) {
         if (move.frame == *found)
             cell_.moving_frames[*find_carrier(*found)].trajectory.add(
@@ -138,12 +124,12 @@ PlanResult CellMonitor::enable_frame_motion(std::string_view name) {
 
 void CellMonitor::interpolate_frame(std::string_view name, const rrs::CartPos& pose, double from_s,
                                     double to_s) {
-    const std::size_t frame = *programmed_frames_.find(name);
+    const std::size_t frame = *programmed_frames_.tree().find(name);
     cell::FrameTrajectory& trajectory = cell_.moving_frames[*find_carrier(frame)].trajectory;
     for (const cell::UniformMotion& uniform_motion :
          {cell::uniform_motion_between(trajectory.at(from_s), pose, from_s, to_s),
           cell::UniformMotion{.from_s = to_s, .pose = pose}}) {
-        note(frame, uniform_motion);
+        history_.add(frame, uniform_motion);
         trajectory.add(uniform_motion);
     }
 }
@@ -154,11 +140,11 @@ bool CellMonitor::has_conveyors() const {
 }
 
 void CellMonitor::set_conveyor(std::string_view name, const cell::UniformMotion& uniform_motion) {
-    const auto found = programmed_frames_.find(name);
+    const auto found = programmed_frames_.tree().find(name);
     if (!found) return;
     const auto moving = find_carrier(*found);
     if (!moving || !cell_.moving_frames[*moving].conveyor) return;
-    note(*found, uniform_motion);
+    history_.add(*found, uniform_motion);
     cell_.moving_frames[*moving].trajectory.add(uniform_motion);
 }
 
@@ -169,55 +155,9 @@ void CellMonitor::set_known_until(double time_s) {
         check_segment(pending_segments_.front().segment, pending_segments_.front().info);
 }
 
-tl::expected<cell::TouchSearch, std::string> CellMonitor::touch_search(const Eigen::Vector3d& tcp_mm,
-                                                                       double time_s) {
+Result<cell::TouchSearch> CellMonitor::touch_search(const Eigen::Vector3d& tcp_mm, double time_s) {
     move_frames(time_s);
     return cell::TouchSearch::make(cell_, machine_, tcp_mm);
-}
-
-/// Targets lead the tool centre point in the work frame, so a frame that moves independently against one of
-/// them cannot be meant.
-tl::expected<motion::WorkFrames, PlanError> CellMonitor::work_frames(std::string_view tool_name,
-                                                                     std::string_view object_name) const {
-    auto tool = tcp_frame(tool_name);
-    if (!tool) return tl::unexpected(std::move(tool.error()));
-    auto object = object_frame(object_name);
-    if (!object) return tl::unexpected(std::move(object.error()));
-    return motion::WorkFrames{*tool, *object};
-}
-
-PlanResult CellMonitor::check_same_link(std::size_t frame, std::size_t origin) const {
-    if (programmed_frames_.link(frame) == programmed_frames_.link(origin)) return {};
-    return motion::make_plan_error(
-        Status::RRS_INVALID_PARAMETER,
-        fmt::format("The frame '{}' moves against the frame '{}', to which it would have to be attached.",
-                    programmed_frames_.name(frame), programmed_frames_.name(origin)));
-}
-
-/// Returns a frame as seen from the tool centre point of the kinematics.
-tl::expected<rrs::CartPos, PlanError> CellMonitor::tcp_frame(std::string_view name) const {
-    if (name == motion::kToolFrame) return machine_frames_.tool_shift();
-    const auto frame = find(name);
-    if (!frame) return tl::unexpected(frame.error());
-    const std::size_t tool = *programmed_frames_.find(motion::kToolFrame);
-    return check_same_link(*frame, tool).map([&] {
-        return programmed_frames_.pose_in_link(tool).inverse() * programmed_frames_.pose_in_link(*frame);
-    });
-}
-
-/// Returns a frame as seen from the work frame of the kinematics; the world moves relative to it if the
-/// machine does.
-tl::expected<rrs::CartPos, PlanError> CellMonitor::object_frame(std::string_view name) const {
-    const auto frame = find(name);
-    if (!frame) return tl::unexpected(frame.error());
-    const std::size_t work = *programmed_frames_.find("work");
-    if (*frame == work) return machine_frames_.work_frames().object;
-    return check_same_link(*frame, work).map([&]() -> rrs::CartPos {
-        const rrs::CartPos origin = programmed_frames_.pose_in_link(work);
-        if (programmed_frames_.link(work) != 0)
-            return origin.inverse() * programmed_frames_.pose_in_link(*frame);
-        return origin.inverse() * base_shift().inverse() * programmed_frames_.pose_in_link(*frame);
-    });
 }
 
 /// Moves the frames to their poses for motion that begins at a time.
@@ -262,7 +202,7 @@ void CellMonitor::end_block() {
         const bool listed = list(
             findings_, BlockClearance{*block_, nearest->distance_mm, cell_.items[nearest->pair.first].name,
                                       cell_.items[nearest->pair.second].name, to_array(nearest->point_mm)});
-        if (listed && records_history_) clearance_times_s_.push_back(nearest->t_s);
+        if (listed && history_.is_recording()) clearance_times_s_.push_back(nearest->t_s);
     }
     monitor_.begin_block();
 }

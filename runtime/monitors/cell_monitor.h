@@ -9,9 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "collision/monitor/clearance_monitor.h"
 #include "collision/monitor/touch_search.h"
 #include "motion/path/machine_frames.h"
+#include "runtime/monitors/frame_history.h"
+#include "runtime/monitors/programmed_frames.h"
 #include "runtime/outputs/run_output.h"
 #include "runtime/report/report.h"
 
@@ -22,12 +25,6 @@ struct CellOptions {
     bool is_from_file =
         true;  ///< A cell file describes it; else it is the machine alone, and no probe feels it.
     bool monitored = true;  ///< Contacts and near misses are looked for.
-};
-
-/// Motion or standstill of a frame of a cell, from a time on.
-struct FrameMotion {
-    std::size_t frame;
-    cell::UniformMotion uniform_motion;
 };
 
 /// Cell of a run: checks each segment for contacts and near misses of its block, and has the frames that
@@ -55,28 +52,27 @@ class CellMonitor final : public RunOutput, public motion::CellFrames {
     void interpolate_frame(std::string_view name, const rrs::CartPos& pose, double from_s,
                            double to_s) override;
     tl::expected<motion::WorkFrames, motion::PlanError> work_frames(
-        std::string_view tool_frame, std::string_view object_frame) const override;
-    const rrs::CartPos& base_shift() const override { return machine_frames_.base_shift(); }
+        std::string_view tool_frame, std::string_view object_frame) const override {
+        return programmed_frames_.work_frames(tool_frame, object_frame);
+    }
+    const rrs::CartPos& base_shift() const override {
+        return programmed_frames_.machine_frames().base_shift();
+    }
 
     /// Returns the search for what a probe feels from a time on at which the machine is at standstill, after
     /// all motion before has been processed. The cell must not change while the search is used. `tcp_mm` and
     /// the error are those of TouchSearch.
-    tl::expected<cell::TouchSearch, std::string> touch_search(const Eigen::Vector3d& tcp_mm, double time_s);
+    Result<cell::TouchSearch> touch_search(const Eigen::Vector3d& tcp_mm, double time_s);
 
     /// Keeps from now on the motion of frames, for history(), and the times at which blocks come near, for
     /// clearance_times_s().
     void keep_history() {
-        records_history_ = true;
+        history_.start();
         monitor_.record_times();
     }
-    /// Max number of entries; beyond it the history is incomplete.
-    static constexpr std::size_t kMaxFrameMotions = 100'000;
-    bool history_is_complete() const { return history_is_complete_; }
+    const FrameHistory& history() const { return history_; }
     /// Returns the time of each of CellFindings::clearances, on the run's clock; nullopt if unknown.
     std::span<const std::optional<double>> clearance_times_s() const { return clearance_times_s_; }
-    /// Returns entries in the order of their reports, which is that of time for each frame. From `from_s` of
-    /// an entry on earlier ones of its frame no longer hold.
-    std::span<const FrameMotion> history() const { return history_; }
 
     /// Returns true if the cell has conveyors: their motion must be known before a segment can be checked.
     bool has_conveyors() const;
@@ -105,19 +101,8 @@ class CellMonitor final : public RunOutput, public motion::CellFrames {
         MoveInfo info;
     };
 
-    tl::expected<std::size_t, motion::PlanError> find(std::string_view name) const;
     tl::expected<std::size_t, motion::PlanError> find_movable(std::string_view name) const;
-    tl::expected<rrs::CartPos, motion::PlanError> tcp_frame(std::string_view name) const;
-    tl::expected<rrs::CartPos, motion::PlanError> object_frame(std::string_view name) const;
-    motion::PlanResult check_same_link(std::size_t frame, std::size_t origin) const;
     std::optional<std::size_t> find_carrier(std::size_t frame) const;
-    void note(std::size_t frame, const cell::UniformMotion& uniform_motion) {
-        if (!records_history_) return;
-        if (history_.size() < kMaxFrameMotions)
-            history_.push_back({frame, uniform_motion});
-        else
-            history_is_complete_ = false;
-    }
     void check_segment(const motion::Segment& segment, const MoveInfo& info);
     void move_frames(double until_s);
     void on_frames_changed();
@@ -126,11 +111,7 @@ class CellMonitor final : public RunOutput, public motion::CellFrames {
     machine::Machine machine_;
     CellOptions options_;
     cell::Cell cell_;
-    /// Frames as the program has set them so far; segments that are still to come may precede them.
-    cell::FrameTree programmed_frames_;
-    /// The machine's own frames as the program has set them. In the trees "tool" is the file's: another tool
-    /// tip moves no body.
-    motion::MachineFrames machine_frames_;
+    ProgrammedFrames programmed_frames_;
     struct FrameMove {
         double time_s;
         std::size_t frame;
@@ -142,9 +123,7 @@ class CellMonitor final : public RunOutput, public motion::CellFrames {
     cell::ClearanceMonitor monitor_;
     SegmentListener segment_listener_;
     std::uint64_t frame_changes_ = 0;
-    bool records_history_ = false;
-    bool history_is_complete_ = true;
-    std::vector<FrameMotion> history_;
+    FrameHistory history_;
     std::vector<std::optional<double>> clearance_times_s_;
     CellFindings findings_;
     std::optional<SourceLocation> block_;

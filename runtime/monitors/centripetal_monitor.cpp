@@ -15,9 +15,9 @@ namespace {
 constexpr double kCentripetalRounding = 1 + 1e-9;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Round a circle an axis speeds up and slows down alike. LinuxCNC has one limit for both.
+/// Round a circle an axis speeds up and slows down alike. Some planners have one limit for both.
 double symmetric_acceleration(const machine::Machine& machine, const machine::Axis& axis) {
-    if (machine.controller.planner == rrs::PlannerKind::linuxcnc) return axis.max_acceleration;
+    if (!machine.controller.capabilities().has_deceleration_limits) return axis.max_acceleration;
     return std::min(axis.max_acceleration, axis.deceleration());
 }
 
@@ -71,9 +71,9 @@ std::optional<std::string> CentripetalMonitor::warning(const std::vector<std::st
                                   ? fmt::format("{}:{}", files[worst_location_.file], worst_location_.line)
                                   : "a script";
     return fmt::format(
-        "{} arc{} for more centripetal acceleration than the axes have, at worst {:.0f} mm/s2 of {:.0f} in "
+        "{} arc{} for more centripetal acceleration than the axes permit, at worst {:.0f} mm/s2 of {:.0f} in "
         "{}; the planner does not slow down for it, so the real machine takes longer",
-        count_, count_ == 1 ? " asks" : "s ask", worst_mm_s2_, worst_limit_mm_s2_, where);
+        count_, count_ == 1 ? " is programmed" : "s are programmed", worst_mm_s2_, worst_limit_mm_s2_, where);
 }
 
 }  // namespace gsim::simulation

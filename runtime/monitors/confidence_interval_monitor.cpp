@@ -33,7 +33,7 @@ ConfidenceIntervalMonitor::ConfidenceIntervalMonitor(const machine::Machine& mac
     for (const machine::MachineParameter& parameter_id : calibration_.parameters) {
         const double value = machine::parameter_value(parameter_id, machine).value_or(0);
         if (!(value > 0) || !std::isfinite(value)) {
-            on_unrecordable(machine::parameter_name(parameter_id) + " is none");
+            on_unrecordable(machine::parameter_name(parameter_id) + " is not a positive number");
             return;
         }
         const double other = perturbed_value(parameter_id, value);
@@ -66,7 +66,7 @@ void ConfidenceIntervalMonitor::on_request(const MotionRequest& request) {
 
 void ConfidenceIntervalMonitor::ended() {
     for (const PerturbedMachine& comparison : perturbed_machines_) {
-        comparison.planner->plan_to_final_standstill();
+        comparison.planner->dwells().plan_to_final_standstill();
         comparison.planner->flush();
     }
 }

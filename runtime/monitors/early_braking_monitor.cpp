@@ -7,7 +7,7 @@ namespace gsim::simulation {
 void EarlyBrakingMonitor::on_segment(const motion::Segment& segment, const MoveInfo& info) {
     if (segment.limited_by.kind != motion::LimitKind::short_brakes) return;
     ++count_;
-    crawled_s_ += segment.duration_s;
+    crawl_time_s_ += segment.duration_s;
     if (segment.duration_s <= longest_s_) return;
     longest_s_ = segment.duration_s;
     longest_mm_ = segment.master.length();
@@ -20,9 +20,9 @@ std::optional<std::string> EarlyBrakingMonitor::warning(const std::vector<std::s
                                                                        longest_location_.line)
                                                          : "a script";
     return fmt::format(
-        "the control's ramps in steps of time brake short of the ends of {} block{}, and the machine crawls "
-        "there for {:.3f} s in all, at worst {:.3f} mm in {:.3f} s in {}",
-        count_, count_ == 1 ? "" : "s", crawled_s_, longest_mm_, longest_s_, where);
+        "the stepped ramps of the controller brake before the ends of {} block{}, and the machine crawls "
+        "there for {:.3f} s in total, at worst {:.3f} mm in {:.3f} s in {}",
+        count_, count_ == 1 ? "" : "s", crawl_time_s_, longest_mm_, longest_s_, where);
 }
 
 }  // namespace gsim::simulation

@@ -21,7 +21,7 @@ class EarlyBrakingMonitor : public RunOutput {
 
   private:
     std::uint64_t count_ = 0;
-    double crawled_s_ = 0;
+    double crawl_time_s_ = 0;
     double longest_s_ = 0;
     double longest_mm_ = 0;
     SourceLocation longest_location_;

@@ -39,16 +39,16 @@ std::string excess_text(const EffortExcess& excess) {
     const char* unit = excess.rotary ? "Nm" : "N";
     if (excess.continuous) {
         return fmt::format(
-            "axis {} needs {:.4g} {} as a root mean square of the whole run, of {:.4g} {} that "
-            "its motor does without end",
+            "axis {} needs {:.4g} {} as a root mean square of the complete run, of {:.4g} {} continuous of "
+            "its motor",
             excess.letter, excess.effort, unit, excess.limit, unit);
     }
     std::string text = fmt::format("axis {} needs {:.4g} {} of {:.4g} {}", excess.letter, excess.effort, unit,
                                    excess.limit, unit);
     if (!excess.acceleration_share)
-        return text + "; weight, friction and speed alone are more, whatever its acceleration";
+        return text + "; weight, friction and speed alone exceed it, with any acceleration";
     // Rounded down, so that the reported share is enough.
-    return text + fmt::format("; {:.2f} of its acceleration would do",
+    return text + fmt::format("; {:.2f} of its acceleration is possible",
                               std::floor(*excess.acceleration_share * 100) / 100);
 }
 
@@ -116,9 +116,9 @@ void EffortMonitor::jump(const rrs::JointPos& position, const rrs::JointPos& to,
     if (change.cwiseAbs().maxCoeff() <= kMinSpeedJump + kRelativeSpeedJump * fastest) return;
     ++report_.jumps;
     const dynamics::Efforts impulses = dynamics_.inertial_efforts(position, change);
-    const rrs::JointPos works_j = dynamics_.powers_w(impulses, (to + velocity_) / 2);
+    const rrs::JointPos work_by_axis_j = dynamics_.powers_w(impulses, (to + velocity_) / 2);
     for (std::size_t axis = 0; axis < sums_.size(); ++axis) {
-        const double work_j = works_j[static_cast<Eigen::Index>(axis)];
+        const double work_j = work_by_axis_j[static_cast<Eigen::Index>(axis)];
         (work_j > 0 ? sums_[axis].drive_j : sums_[axis].regenerated_j).add(std::abs(work_j));
         (work_j > 0 ? program.drive_j : program.regenerated_j).add(std::abs(work_j));
         const double impulse = std::abs(impulses[static_cast<Eigen::Index>(axis)]);

@@ -21,8 +21,8 @@ FollowingMonitor::FollowingMonitor(const FollowingSetup& setup, double step_s)
                                 .gain_1_s = loops[i].gain_1_s,
                                 .constant_speed_lag_s = loops[i].constant_speed_lag_s()});
     }
-    report_.band_mm = setup.machine.controller.in_position_mm;
-    report_.band_deg = setup.machine.controller.in_position_deg;
+    report_.band_mm = setup.machine.controller.position_loop.in_position_mm;
+    report_.band_deg = setup.machine.controller.position_loop.in_position_deg;
 }
 
 void FollowingMonitor::begin(const rrs::JointPos& start) {

@@ -42,8 +42,8 @@ std::vector<dynamics::ServoLoop> servo_loops(const machine::Machine& machine) {
                                  .delay_s = servo.command_delay_s};
         if (servo.position_gain_1_s > 0) {
             loop.gain_1_s = servo.position_gain_1_s;
-        } else if (machine.controller.position_gain_1_s > 0) {
-            loop.gain_1_s = machine.controller.position_gain_1_s;
+        } else if (machine.controller.position_loop.gain_1_s > 0) {
+            loop.gain_1_s = machine.controller.position_loop.gain_1_s;
         }
         loops.push_back(loop);
     }
@@ -98,7 +98,7 @@ void FollowingMotion::change_tcp(std::uint16_t tcp) {
     tcp_ = std::move(changed);
     settling_ = true;
     if (program_ != nullptr) program_->mark_lost();
-    const rrs::JointPos at = servos_.set_points(servos_.now_s());
+    const rrs::JointPos at = servos_.history().set_points(servos_.now_s());
     tcp_.set_position(at);
     set_point_path_.begin(tcp_.at(at));
 }
@@ -133,12 +133,11 @@ void FollowingMotion::on_set_point_step(const dynamics::SetPointStep& step, cons
 }
 
 bool FollowingMotion::is_in_position(const rrs::JointPos& errors) const {
-    const rrs::ControllerRules& controller = setup_.machine.controller;
+    const rrs::PositionLoopRules& loop = setup_.machine.controller.position_loop;
     for (std::size_t i = 0; i < setup_.machine.axes.size(); ++i) {
         const double error = std::abs(errors[static_cast<Eigen::Index>(i)]);
         const bool linear = setup_.machine.axes[i].kind == machine::AxisKind::linear;
-        if (error > (linear ? controller.in_position_mm : controller.in_position_deg * kRadPerDeg))
-            return false;
+        if (error > (linear ? loop.in_position_mm : loop.in_position_deg * kRadPerDeg)) return false;
     }
     return true;
 }
@@ -150,9 +149,9 @@ std::optional<double> FollowingMotion::program_distance_mm(const FollowingInstan
 }
 
 FollowingInstant FollowingMotion::at(double t_s) {
-    const rrs::JointPos positions = servos_.positions(t_s);
+    const rrs::JointPos positions = servos_.history().positions(t_s);
     FollowingInstant instant{.t_s = t_s,
-                             .errors = servos_.set_points(t_s) - positions,
+                             .errors = servos_.history().set_points(t_s) - positions,
                              .tcp_mm = tcp_.at(positions),
                              .contour_error_mm = std::nullopt,
                              .program_deviation_mm = std::nullopt};
@@ -163,7 +162,7 @@ FollowingInstant FollowingMotion::at(double t_s) {
 }
 
 rrs::JointPos FollowingMotion::errors(double t_s) const {
-    return servos_.set_points(t_s) - servos_.positions(t_s);
+    return servos_.history().set_points(t_s) - servos_.history().positions(t_s);
 }
 
 }  // namespace gsim::simulation

@@ -28,7 +28,8 @@ MultiRobotMonitor::MultiRobotMonitor(const std::vector<PlacedRobot>& robots,
                                      const std::vector<PlacedZone>& zones, os::CpuLimit* cpu)
     : robots_(robots.size()) {
     for (const PlacedRobot& robot : robots)
-        tracks_.push_back({.name = robot.name, .base = robot.base, .simulator = &robot.simulator});
+        tracks_.push_back(
+            {.name = robot.name, .base = robot.base, .motion = &robot.motion, .cell = robot.cell});
     for (const PlacedZone& zone : zones) {
         zones_.push_back({zone.shape, {{0, std::nullopt}}});
         tracks_.push_back({.name = zone.name, .base = zone.frame, .moved = true});
@@ -52,7 +53,7 @@ void MultiRobotMonitor::add_pair(std::size_t a, std::size_t b, std::optional<std
 }
 
 bool MultiRobotMonitor::has_bodies(std::size_t robot) const {
-    const CellMonitor* cell = tracks_[robot].simulator->cell();
+    const CellMonitor* cell = tracks_[robot].cell;
     return cell != nullptr && cell->use().monitored;
 }
 
@@ -61,8 +62,8 @@ bool MultiRobotMonitor::has_separate_base(std::size_t a, std::size_t b) const {
 }
 
 void MultiRobotMonitor::attach_track(Track& track) {
-    if (track.simulator == nullptr || track.kinematics != nullptr) return;
-    CellMonitor& cell = *track.simulator->cell();
+    if (track.motion == nullptr || track.kinematics != nullptr) return;
+    CellMonitor& cell = *track.cell;
     track.kinematics = machine::make_kinematics(cell.machine());
     track.standstill.bodies = make_bodies(track);
     cell.set_segment_listener([this, &track](const motion::Segment& segment, const MoveInfo& info) {
@@ -72,7 +73,7 @@ void MultiRobotMonitor::attach_track(Track& track) {
 
 std::shared_ptr<const cell::MachineBodies> MultiRobotMonitor::make_bodies(const Track& track) {
     return std::make_shared<const cell::MachineBodies>(
-        cell::machine_bodies(track.simulator->cell()->cell(), track.kinematics));
+        cell::machine_bodies(track.cell->cell(), track.kinematics));
 }
 
 // --- Input ---
@@ -84,7 +85,7 @@ void MultiRobotMonitor::set_standstill(Track& track, const rrs::JointPos& joints
 }
 
 void MultiRobotMonitor::on_segment(Track& track, const motion::Segment& segment, const MoveInfo& info) {
-    const std::uint64_t changes = track.simulator->cell()->frame_changes();
+    const std::uint64_t changes = track.cell->frame_changes();
     if (std::exchange(track.frame_changes, changes) != changes) track.standstill.bodies = make_bodies(track);
     track.moved = true;
     // Motion that the controller adds by itself, to settle, belongs to the block before.
@@ -106,10 +107,10 @@ void MultiRobotMonitor::assign_robot(std::size_t robot, double time_s, std::size
 
 void MultiRobotMonitor::set_known_until(double time_s) {
     for (Track& track : tracks_) {
-        if (!track.moved) set_standstill(track, track.simulator->joints(), 0);
+        if (!track.moved) set_standstill(track, track.motion->source().position(), 0);
         if (track.kinematics == nullptr) continue;
-        const Simulator& simulator = *track.simulator;
-        time_s = std::min({time_s, simulator.delivered_until_s(), simulator.cell()->delivered_until_s()});
+        time_s =
+            std::min({time_s, track.motion->source().delivered_until_s(), track.cell->delivered_until_s()});
     }
     for (Pair& pair : pairs_) advance(pair, time_s);
     discard_passed();

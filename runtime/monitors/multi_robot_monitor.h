@@ -11,15 +11,17 @@
 #include <vector>
 
 #include "collision/monitor/neighbour_monitor.h"
+#include "runtime/monitors/cell_monitor.h"
 #include "runtime/report/robots_report.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/machine_motion.h"
 
 namespace gsim::simulation {
 
 /// Robot of a run, and the pose of its world in the common one.
 struct PlacedRobot {
     std::string name;
-    Simulator& simulator;
+    const MachineMotion& motion;
+    CellMonitor* cell;  ///< Null: the robot has no cell.
     rrs::CartPos base;
 };
 
@@ -38,7 +40,7 @@ struct PlacedZone {
 /// meanwhile.
 class MultiRobotMonitor {
   public:
-    /// Call it before the first move. The robots' simulators have their cells, and outlive this.
+    /// Call it before the first move. The robots' motions and cells outlive this.
     MultiRobotMonitor(const std::vector<PlacedRobot>& robots, const std::vector<PlacedZone>& zones,
                       os::CpuLimit* cpu);
     MultiRobotMonitor(const MultiRobotMonitor&) = delete;
@@ -89,7 +91,8 @@ class MultiRobotMonitor {
     struct Track {
         std::string name;
         rrs::CartPos base;
-        Simulator* simulator = nullptr;                                 ///< Null for a zone.
+        const MachineMotion* motion = nullptr;  ///< Null for a zone.
+        CellMonitor* cell = nullptr;
         std::shared_ptr<const kinematics::Kinematics> kinematics = {};  ///< From the machine file.
         std::uint64_t frame_changes = 0;  ///< At which `standing` has the bodies.
         std::deque<TrackSegment> sub_segments = {};
@@ -123,7 +126,7 @@ class MultiRobotMonitor {
         std::size_t robot;
         SourceLocation location;
         rrs::JointPos joints;
-        std::string own_body;
+        std::string robot_body;
         std::string other;
     };
     struct CollisionFinding {

@@ -56,7 +56,7 @@ void PathDeviationMonitor::on_programmed_move(const motion::PathMove& move) {
                         move.target_id == expected_id_ ? location_ : SourceLocation());
 }
 
-void PathDeviationMonitor::retract_last() {
+void PathDeviationMonitor::discard_last_move() {
     paths_.pop_back();
 }
 
@@ -113,7 +113,7 @@ void PathDeviationMonitor::on_deviating_segment(const Segment& segment) {
         ++targets;
     }
     if (targets >= kMaxTargets) {
-        finish_ways_before(second);
+        finish_paths_before(second);
         while (run_.front().id != second) run_.pop_front();
         drop_passed_moves();
     }
@@ -212,7 +212,7 @@ double PathDeviationMonitor::run_distance(const Vector3d& point, const Workpiece
 }
 
 /// Checks the ends of moves before this one that the run passes.
-void PathDeviationMonitor::finish_ways_before(rrs::TargetId end_id) {
+void PathDeviationMonitor::finish_paths_before(rrs::TargetId end_id) {
     for (std::size_t path_index = 0; path_index < paths_.size() && paths_[path_index].id() < end_id;
          ++path_index) {
         if (paths_[path_index].id() < first_unsettled_id_) continue;
@@ -227,7 +227,7 @@ void PathDeviationMonitor::finish_ways_before(rrs::TargetId end_id) {
 }
 
 void PathDeviationMonitor::end_run(rrs::TargetId end_id) {
-    finish_ways_before(end_id);
+    finish_paths_before(end_id);
     run_.clear();
 }
 

@@ -37,7 +37,7 @@ class PathDeviationMonitor final : public motion::PathSink, public RunOutput {
     void expect(rrs::TargetId id, const SourceLocation& location);
 
     void on_programmed_move(const motion::PathMove& move) override;
-    void retract_last() override;
+    void discard_last_move() override;
     void forget() override;
 
     void on_segment(const motion::Segment& segment, const MoveInfo& info) override;
@@ -71,7 +71,7 @@ class PathDeviationMonitor final : public motion::PathSink, public RunOutput {
     using CurveDistance = double (*)(const Eigen::Vector3d&, std::span<const Eigen::Vector3d>);
     double run_distance(const Eigen::Vector3d& point, const WorkpieceTcp* tcp, CurveDistance distance,
                         double cutoff) const;
-    void finish_ways_before(rrs::TargetId end_id);
+    void finish_paths_before(rrs::TargetId end_id);
     void end_run(rrs::TargetId end_id);
     void drop_passed_moves();
     void note(double deviation_mm, bool rapid, const SourceLocation& location);

@@ -15,8 +15,8 @@ class PathSinks final : public motion::PathSink {
     void on_programmed_move(const motion::PathMove& move) override {
         for (motion::PathSink* sink : sinks_) sink->on_programmed_move(move);
     }
-    void retract_last() override {
-        for (motion::PathSink* sink : sinks_) sink->retract_last();
+    void discard_last_move() override {
+        for (motion::PathSink* sink : sinks_) sink->discard_last_move();
     }
     void forget() override {
         for (motion::PathSink* sink : sinks_) sink->forget();

@@ -18,7 +18,7 @@ class ProgrammedPath : public motion::PathSink {
     explicit ProgrammedPath(const std::array<int, 3>& position_joints) : position_joints_(position_joints) {}
 
     void on_programmed_move(const motion::PathMove& move) override;
-    void retract_last() override { reported_moves_.pop_back(); }
+    void discard_last_move() override { reported_moves_.pop_back(); }
     void forget() override;
 
     /// Returns true if the controller reports its paths: all others drive them as programmed.

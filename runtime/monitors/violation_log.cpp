@@ -18,7 +18,7 @@ std::string suggested_fix_text(const Violations& violations) {
         shifts += fmt::format("{} {:+.10g} mm", shift.axis, shift.shift_mm);
         offset = shift.offset;
     }
-    return shifts + " would bring the whole program within the limits";
+    return shifts + " would bring the complete program within the limits";
 }
 
 // Only listed violations need a time: others would wait long if moves have no length (probes that touch).

@@ -56,7 +56,9 @@ class ZoneMonitor final : public motion::SegmentSink {
     /// Call it before the first segment: segments then continue after a hit, and `on_hit` gets the first
     /// kMaxViolations, each after its segment has been passed on. The tool is out of a zone before it enters
     /// it again.
-    void continue_after_hits(std::function<void(const ZoneHit&)> on_hit) { on_hit_ = std::move(on_hit); }
+    void continue_after_violations(std::function<void(const ZoneHit&)> on_hit) {
+        on_hit_ = std::move(on_hit);
+    }
     /// Adds the zones of machine data, before the first segment.
     void add_zones(const machine::MachineData& data);
     /// Switches the zones of a number on or off; returns false if no zone has it.
@@ -66,8 +68,8 @@ class ZoneMonitor final : public motion::SegmentSink {
     void set_programmed(const std::optional<ZoneWalls>& limits, rrs::TargetId from);
     void set_tool_offset(const Eigen::Vector3d& offset_mm, rrs::TargetId from);
 
-    /// Passes segments on. Without continue_after_hits() the one that breaks a zone's rule ends there, and
-    /// later ones are dropped.
+    /// Passes segments on. Without continue_after_violations() the one that breaks a zone's rule ends there,
+    /// and later ones are dropped.
     void on_segment(const motion::Segment& segment) override;
     /// Returns the hit that has ended the segments.
     const std::optional<ZoneHit>& hit() const { return hit_; }

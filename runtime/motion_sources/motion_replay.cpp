@@ -51,16 +51,16 @@ struct RequestExecutor {
     }
     motion::PlanResult operator()(const DwellRequest& standstill) const {
         if (standstill.time_key.empty())
-            return planner.enqueue_dwell(standstill.target_id, standstill.dwell_s);
+            return planner.dwells().enqueue(standstill.target_id, standstill.dwell_s);
         const double* time_s = machine::word_time(standstill.time_key, times);
         if (time_s == nullptr || *time_s <= 0) return {};
-        return planner.enqueue_dwell(standstill.target_id, *time_s);
+        return planner.dwells().enqueue(standstill.target_id, *time_s);
     }
     motion::PlanResult operator()(const IndependentMoveRequest& joint_request) const {
-        return planner.enqueue_independent(joint_request.end);
+        return planner.independent_moves().enqueue(joint_request.end);
     }
     motion::PlanResult operator()(const StopRequest& stop) const {
-        planner.plan_to_standstill(stop.waits);
+        planner.dwells().plan_to_standstill(stop.waits);
         return {};
     }
 };
@@ -72,18 +72,17 @@ motion::PlanResult replay_request(const MotionRequest& request, const machine::W
     return std::visit(RequestExecutor{times, planner}, request);
 }
 
-tl::expected<std::vector<ReplayedMove>, std::string> replay(const MotionLog& log,
-                                                            const motion::PlannerSetup& machine,
-                                                            const machine::WordTimes& word_times) {
+Result<std::vector<ReplayedMove>> replay(const MotionLog& log, const motion::PlannerSetup& machine,
+                                         const machine::WordTimes& word_times) {
     SegmentTimes times(log);
     motion::Planner planner(machine, &times);
     if (const auto started = planner.set_position({log.start(), std::nullopt}); !started)
         return tl::unexpected(started.error().message);
     for (std::size_t i = 0; i < log.requests().size(); ++i) {
         if (const auto enqueue = replay_request(log.requests()[i], word_times, planner); !enqueue)
-            return tl::unexpected(fmt::format("move {}: {}", i + 1, enqueue.error().message));
+            return Unexpected(fmt::format("move {}: {}", i + 1, enqueue.error().message));
     }
-    planner.plan_to_final_standstill();
+    planner.dwells().plan_to_final_standstill();
     planner.flush();
     return std::move(times.moves);
 }

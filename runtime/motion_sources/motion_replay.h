@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "machine/model/machine.h"
 #include "motion/planner/planner.h"
 #include "runtime/motion_sources/motion_log.h"
@@ -29,8 +28,7 @@ struct ReplayedMove {
 /// Replays a log without a gap, on a machine that differs from its own in parameters only, with our planner.
 /// Returns the moves that take time, in order. Zones, cells and tables of the machine are not checked. The
 /// error names the entry that cannot be planned, and the reason.
-tl::expected<std::vector<ReplayedMove>, std::string> replay(const MotionLog& log,
-                                                            const motion::PlannerSetup& machine,
-                                                            const machine::WordTimes& times);
+Result<std::vector<ReplayedMove>> replay(const MotionLog& log, const motion::PlannerSetup& machine,
+                                         const machine::WordTimes& times);
 
 }  // namespace gsim::simulation

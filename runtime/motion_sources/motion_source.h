@@ -15,7 +15,7 @@ namespace gsim::simulation {
 
 /// Controller of a run, which gets each move as one. Segments are passed to a sink in the order of time; the
 /// source decides when. Its services are for clients that call them by themselves. Selections of clients hold
-/// for their own targets, and for moves only as far as the Simulator copies them from selections().
+/// for their own targets, and for moves only as far as ProgramState copies them from selections().
 class MotionSource {
   public:
     virtual ~MotionSource() = default;
@@ -38,7 +38,7 @@ class MotionSource {
     /// controller does not accept it.
     virtual bool set_move_limits(std::shared_ptr<const motion::MoveLimits> limits) = 0;
     /// Sets which of them the following targets of clients obey.
-    virtual void set_obeyed_overrides(const motion::EnabledOverrides& enabled_overrides) = 0;
+    virtual void set_enabled_overrides(const motion::EnabledOverrides& enabled_overrides) = 0;
 
     /// Sets the machine's position at the start of the run. The controller is ready then.
     virtual motion::PlanResult start_at(const rrs::JointPos& joints) = 0;
@@ -55,7 +55,7 @@ class MotionSource {
     virtual motion::PlanResult enqueue_dwell(const DwellRequest& request) = 0;
     /// Returns messages on settings of moves that the controller has not accepted since the last call, and
     /// replaces by its own.
-    virtual std::vector<std::string> drain_remarks() = 0;
+    virtual std::vector<std::string> drain_warnings() = 0;
     /// Ends the planned motion at standstill; `waits`: the controller waits for its program.
     virtual void plan_to_standstill(bool waits) = 0;
     /// Ends the moves: all segments are passed to the sink.

@@ -16,7 +16,7 @@ rrs::Shell& ObservedMotion::shell() {
 }
 
 bool ObservedMotion::set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) {
-    observer_.on_unrecordable("overrides are turned");
+    observer_.on_unrecordable("overrides are changed");
     return motion_->set_overrides(std::move(overrides));
 }
 

@@ -22,8 +22,8 @@ class ObservedMotion final : public MotionSource {
     bool set_move_limits(std::shared_ptr<const motion::MoveLimits> limits) override {
         return motion_->set_move_limits(std::move(limits));
     }
-    void set_obeyed_overrides(const motion::EnabledOverrides& enabled_overrides) override {
-        motion_->set_obeyed_overrides(enabled_overrides);
+    void set_enabled_overrides(const motion::EnabledOverrides& enabled_overrides) override {
+        motion_->set_enabled_overrides(enabled_overrides);
     }
 
     motion::PlanResult start_at(const rrs::JointPos& joints) override;
@@ -36,7 +36,7 @@ class ObservedMotion final : public MotionSource {
     motion::PlanResult enqueue_independent(const rrs::JointPos& end) override;
     double independent_end_s() const override { return motion_->independent_end_s(); }
     motion::PlanResult enqueue_dwell(const DwellRequest& request) override;
-    std::vector<std::string> drain_remarks() override { return motion_->drain_remarks(); }
+    std::vector<std::string> drain_warnings() override { return motion_->drain_warnings(); }
     void plan_to_standstill(bool waits) override;
     void end_program() override;
 

@@ -13,7 +13,7 @@
 #include "base/text/json_text.h"
 #include "base/units.h"
 #include "runtime/outputs/tcp_curve.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 
 namespace gsim::simulation {
 

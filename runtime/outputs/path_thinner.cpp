@@ -18,14 +18,14 @@ void PathThinner::push(const PathPoint& point) {
         return;
     }
     const bool style_changes = last_ && last_->style != point.style;
-    if (style_changes && (last_->at_mm - kept_.back().at_mm).norm() > tolerance_mm_) keep_last();
-    if (last_ && direction_ && !continues_line(point.at_mm)) keep_last();
+    if (style_changes && (last_->at_mm - kept_.back().at_mm).norm() > tolerance_mm_) store_last();
+    if (last_ && direction_ && !continues_line(point.at_mm)) store_last();
     const Vector2d displacement = point.at_mm - kept_.back().at_mm;
     if (!direction_ && displacement.norm() > tolerance_mm_) direction_ = displacement.normalized();
     last_ = point;
 }
 
-void PathThinner::keep_last() {
+void PathThinner::store_last() {
     kept_.push_back(*last_);
     last_.reset();
     direction_.reset();

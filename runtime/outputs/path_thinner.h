@@ -28,7 +28,7 @@ class PathThinner {
 
   private:
     void push(const PathPoint& point);
-    void keep_last();
+    void store_last();
     bool continues_line(const Eigen::Vector2d& at_mm) const;
     void coarsen();
 

@@ -83,10 +83,10 @@ PlotData::PlotData(const machine::Machine& machine, Plane plane) : machine_(mach
     }
 }
 
-std::optional<std::string> PlotData::missing_axes_error(const machine::Machine& machine, Plane plane) {
+std::optional<Error> PlotData::find_missing_axes_error(const machine::Machine& machine, Plane plane) {
     const auto [across, upwards] = view_axes(plane);
     if (plane == Plane::xy || (machine.find(across) && machine.find(upwards))) return std::nullopt;
-    return fmt::format("--plot-plane {} needs the axes {} and {}, which the machine '{}' has not",
+    return fmt::format("--plot-plane {} needs the axes {} and {}, which the machine '{}' does not have",
                        name(plane), across, upwards, machine.name);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "machine/model/machine.h"
 #include "motion/dynamics/segment_efforts.h"
 #include "runtime/monitors/following_motion.h"
@@ -33,14 +34,14 @@ class PlotData : public RunOutput {
 
     /// Selects the axes across and upwards: X Y, X Z and Y Z for the planes xy, zx and yz; for xy a machine's
     /// first two axes if it has no such letters. An axis of the plane that the machine lacks is an error,
-    /// missing_axes_error().
+    /// find_missing_axes_error().
     explicit PlotData(const machine::Machine& machine, Plane plane = Plane::xy);
     /// Adds, before the run, the efforts of the motors to the picture. `dynamics` must outlive this.
     void add_efforts(const dynamics::Dynamics& dynamics);
     /// Adds, before the run, following errors.
     void add_following(const FollowingSetup& setup);
-    /// Returns a message if the machine lacks the axes of a side view; nullopt if it has them.
-    static std::optional<std::string> missing_axes_error(const machine::Machine& machine, Plane plane);
+    /// Returns an error if the machine lacks the axes of a side view.
+    static std::optional<Error> find_missing_axes_error(const machine::Machine& machine, Plane plane);
 
     void begin(const rrs::JointPos& start) override;
     void on_segment(const motion::Segment& segment, const MoveInfo& info) override;

@@ -17,7 +17,7 @@ void add_following_panel(GnuplotScript& script, const PlotData& data, std::size_
         const std::string letter(1, data.axes()[i].letter);
         curves.add("following_" + letter, data.following(i), i, letter);
     }
-    if (panel == 0) curves.add("contour", data.contour(), data.axes().size(), "contour error of the tip");
+    if (panel == 0) curves.add("contour", data.contour(), data.axes().size(), "contour error of the TCP");
     curves.draw(panel == 0 ? "following error (mm)" : "following error (deg)");
 }
 

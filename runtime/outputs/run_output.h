@@ -18,7 +18,7 @@ struct RecordedMove {
     double length_mm = 0;     ///< Length of the tool's path.
     double deviation_mm = 0;  ///< Distance at which the tool passes its rounded corners; 0: not rounded.
     /// Cause that kept its longest segment from being faster; nullopt if it is only a standstill.
-    std::optional<motion::LimitedBy> limited_by;
+    std::optional<motion::LimitCause> limited_by;
     rrs::JointPos end;
     std::optional<motion::Arc> arc;                  ///< If it was circular.
     std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/os/input_file.h"
 #include "base/toml/toml_section.h"
 #include "machine/file/frame_section.h"
 #include "machine/file/shape_section.h"
@@ -24,7 +23,6 @@ constexpr std::array kRobotKeys{"name"sv, "machine"sv, "machine_data"sv, "cell"s
 constexpr std::array kConveyorKeys{"name"sv, "direction"sv, "speed_mm_s"sv};
 constexpr std::array kZoneKeys{"name"sv, "shape"sv, "frame"sv};
 constexpr std::array kDirectionKeys{"x"sv, "y"sv, "z"sv};
-constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv, "klipper"sv};
 
 /// Restricts names, because they are parts of names of signals and of files.
 bool is_plain(std::string_view name) {
@@ -36,11 +34,11 @@ bool is_plain(std::string_view name) {
 
 class RobotsReader {
   public:
-    RobotsReader(FirstError& error, std::filesystem::path folder)
-        : error_(error), folder_(std::move(folder)) {}
+    RobotsReader(FirstError& error, std::filesystem::path folder, std::span<const std::string_view> dialects)
+        : error_(error), folder_(std::move(folder)), dialects_(dialects) {}
 
     RobotsFile read(const toml::table& root) {
-        TomlSection file(error_, root, "a file of robots", kFileKeys);
+        TomlSection file(error_, root, "a robots file", kFileKeys);
         for (const toml::table* table : file.tables("robot")) read_robot(*table);
         if (file.has("conveyor")) {
             for (const toml::table* table : file.tables("conveyor")) read_conveyor(*table);
@@ -48,7 +46,8 @@ class RobotsReader {
         if (file.has("zone")) {
             for (const toml::table* table : file.tables("zone")) read_zone(*table);
         }
-        if (!error_.text() && file_.robots.empty()) file.fail("robot", "a file of robots holds a [[robot]]");
+        if (!error_.text() && file_.robots.empty())
+            file.fail("robot", "a robots file needs at least one [[robot]]");
         return std::move(file_);
     }
 
@@ -56,10 +55,11 @@ class RobotsReader {
     std::string read_name(TomlSection& section) {
         std::string name = section.text("name");
         if (!is_plain(name))
-            section.fail("name",
-                         "'name' must be of letters, digits, '_' and '-' (it names signals and files)");
+            section.fail(
+                "name",
+                "'name' must consist of letters, digits, '_' and '-' (signals and files are named after it)");
         if (std::find(names_.begin(), names_.end(), name) != names_.end())
-            section.fail("name", fmt::format("the name '{}' is taken above", name));
+            section.fail("name", fmt::format("the name '{}' is already used above", name));
         names_.push_back(name);
         return name;
     }
@@ -75,7 +75,7 @@ class RobotsReader {
         robot.machine = read_path(section, "machine");
         robot.machine_data = read_path(section, "machine_data");
         robot.cell = read_path(section, "cell");
-        if (section.has("dialect")) robot.dialect = kDialects[section.choice("dialect", 0, kDialects)];
+        if (section.has("dialect")) robot.dialect = dialects_[section.choice("dialect", 0, dialects_)];
         robot.base = machine::frame_pose(machine::read_frame(error_, section.table("base"), "'base'"));
         file_.robots.push_back(std::move(robot));
     }
@@ -93,7 +93,8 @@ class RobotsReader {
                     vector.number(kDirectionKeys[static_cast<std::size_t>(i)], 0, NumberRule::finite);
         }
         const double length = direction.stableNorm();
-        if (!(length > 0)) return section.fail("direction", "'direction' must not be zero: { x = 1.0 }, say");
+        if (!(length > 0))
+            return section.fail("direction", "'direction' must not be zero: for example { x = 1.0 }");
         file_.conveyors.emplace_back(std::move(name), direction / length, speed_mm_s);
     }
 
@@ -104,7 +105,7 @@ class RobotsReader {
         const os::CallbackFiles no_files([](const std::string&) -> std::optional<std::string> { return {}; });
         auto form = machine::read_shape(error_, section, table, folder_, no_files);
         if (form && std::holds_alternative<machine::MeshShape>(*form))
-            section.fail("shape", "a zone is a box, a cylinder, a sphere or a capsule");
+            section.fail("shape", "a zone must be a box, a cylinder, a sphere or a capsule");
         if (form) zone.form = *std::move(form);
         zone.frame = machine::frame_pose(machine::read_frame(error_, section.table("frame"), "'frame'"));
         file_.zones.push_back(std::move(zone));
@@ -112,26 +113,22 @@ class RobotsReader {
 
     FirstError& error_;
     std::filesystem::path folder_;
+    std::span<const std::string_view> dialects_;
     RobotsFile file_;
     std::vector<std::string> names_;
 };
 
 }  // namespace
 
-tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name) {
+Result<RobotsFile> read_robots(std::string_view toml_text, std::string_view file_name,
+                               std::span<const std::string_view> dialects) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
-    RobotsFile file = RobotsReader(error, std::filesystem::path(file_name).parent_path()).read(root);
+    RobotsFile file =
+        RobotsReader(error, std::filesystem::path(file_name).parent_path(), dialects).read(root);
     if (error.text()) return tl::unexpected(*error.text());
     return file;
-}
-
-tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
-                                                  os::NameSource name_source) {
-    return os::read_text_file(path, name_source).and_then([&](const std::string& text) {
-        return read_robots(text, path.string());
-    });
 }
 
 }  // namespace gsim::process

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
-#include "base/os/input_file.h"
+#include "base/error.h"
 #include "controller/services/types.h"
 #include "runtime/processes/conveyor.h"
 #include "runtime/processes/shared_zones.h"
@@ -32,11 +31,9 @@ struct RobotsFile {
 };
 
 /// Reads the tables [[robot]], [[conveyor]] and [[zone]] (docs/processes.md), strictly; those of cells are
-/// skipped. The error is "file:line:column: message". Files that it names are searched in its folder.
-tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name);
-
-/// Reads the same from a file on disk.
-tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
-                                                  os::NameSource name_source = os::NameSource::in_file);
+/// skipped. The error is "file:line:column: message". Files that it names are searched in its folder. A robot
+/// may have one of `dialects`, which are names of languages.
+Result<RobotsFile> read_robots(std::string_view toml_text, std::string_view file_name,
+                               std::span<const std::string_view> dialects);
 
 }  // namespace gsim::process

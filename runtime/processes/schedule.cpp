@@ -135,16 +135,16 @@ std::string Schedule::wait_text(const Wait& wait) const {
         case WaitKind::on: return fmt::format("'{}' to be on", wait.signal);
         case WaitKind::off: return fmt::format("'{}' to be off", wait.signal);
         case WaitKind::equals: return fmt::format("'{}' to be {}", wait.signal, value_text(wait.value));
-        case WaitKind::rises: return fmt::format("'{}' to come on", wait.signal);
-        case WaitKind::falls: return fmt::format("'{}' to go off", wait.signal);
+        case WaitKind::rises: return fmt::format("'{}' to switch on", wait.signal);
+        case WaitKind::falls: return fmt::format("'{}' to switch off", wait.signal);
         case WaitKind::zone: {
             const Process& holder = processes_[*wait.holder];
-            return fmt::format("the zone '{}', which '{}' has{}", wait.signal, holder.name,
-                               holder.state == ProcessState::done ? ", though it has ended" : "");
+            return fmt::format("the zone '{}', which '{}' occupies{}", wait.signal, holder.name,
+                               holder.state == ProcessState::done ? ", although it has ended" : "");
         }
         case WaitKind::any_change: break;
     }
-    return "a condition of its own";
+    return "a user-defined condition";
 }
 
 std::string Schedule::waits(const std::vector<std::string>& files) const {

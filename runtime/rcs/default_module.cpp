@@ -6,7 +6,7 @@
 
 namespace {
 
-tl::expected<std::unique_ptr<gsim::rrs::Shell>, std::string> make_planner(const gsim_rcs_machine& machine) {
+gsim::Result<std::unique_ptr<gsim::rrs::Shell>> make_planner(const gsim_rcs_machine& machine) {
     return gsim::rcs::setup_from_rcs_machine(machine).map(
         [](gsim::motion::PlannerSetup setup) -> std::unique_ptr<gsim::rrs::Shell> {
             return std::make_unique<gsim::motion::DefaultPlanner>(std::move(setup));

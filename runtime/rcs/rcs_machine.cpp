@@ -13,7 +13,7 @@
 #include "machine/schema/controller_keys.h"
 #include "motion/kinematics/chain_kinematics.h"
 #include "motion/kinematics/gantry.h"
-#include "motion/kinematics/numeric.h"
+#include "motion/kinematics/numeric_kinematics.h"
 
 namespace gsim::rcs {
 
@@ -76,9 +76,9 @@ kinematics::Link link(const gsim_rcs_machine& machine, int index) {
                                          .alpha_rad = joint.dh_alpha_rad});
 }
 
-tl::expected<Kinematics, std::string> read_kinematics(const gsim_rcs_machine& machine) {
+Result<Kinematics> read_kinematics(const gsim_rcs_machine& machine) {
     const auto joints = joints_by_row(machine);
-    if (!joints) return tl::unexpected<std::string>("The rows of the joints are not numbered from 0 up.");
+    if (!joints) return Unexpected("The rows of the joints must be numbered from 0 up.");
     kinematics::Branch branch{.base = rrs::from_rcs(machine.base), .end = rrs::from_rcs(machine.tool)};
     branch.links.reserve(joints->size());
     for (const int joint : *joints) branch.links.push_back(link(machine, joint));
@@ -94,7 +94,7 @@ tl::expected<Kinematics, std::string> read_kinematics(const gsim_rcs_machine& ma
     return std::make_shared<kinematics::ChainKinematics>(std::move(chain));
 }
 
-tl::expected<rrs::ControllerRules, std::string> read_controller_rules(const gsim_rcs_machine& machine) {
+Result<rrs::ControllerRules> read_controller_rules(const gsim_rcs_machine& machine) {
     std::string toml = "[controller]\n";
     for (std::size_t i = 0; i < machine.parameter_count; ++i)
         toml += fmt::format("{} = {}\n", machine.parameters[i].key, machine.parameters[i].value);
@@ -136,10 +136,10 @@ void RcsMachine::add_parameters(const rrs::ControllerRules& rules) {
     machine_.parameter_count = parameters_.size();
 }
 
-tl::expected<motion::PlannerSetup, std::string> setup_from_rcs_machine(const gsim_rcs_machine& machine) {
+Result<motion::PlannerSetup> setup_from_rcs_machine(const gsim_rcs_machine& machine) {
     if (machine.joint_count < 1 || machine.joint_count > rrs::kMaxJoints)
-        return tl::unexpected(fmt::format("There are {} joints; a planner takes 1 to {}.",
-                                          machine.joint_count, rrs::kMaxJoints));
+        return Unexpected(fmt::format("There are {} joints; a planner accepts 1 to {}.", machine.joint_count,
+                                      rrs::kMaxJoints));
     motion::PlannerSetup setup;
     for (int i = 0; i < machine.joint_count; ++i) {
         const gsim_rcs_joint& joint = machine.joints[i];

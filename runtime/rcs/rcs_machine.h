@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "controller/module/rcs_module.h"
 #include "motion/planner/planner_setup.h"
 
@@ -33,7 +32,7 @@ class RcsMachine {
     gsim_rcs_machine machine_{};
 };
 
-/// Converts it back, for modules with our own planner. The error is a message.
-tl::expected<motion::PlannerSetup, std::string> setup_from_rcs_machine(const gsim_rcs_machine& machine);
+/// Converts it back, for modules with our own planner.
+Result<motion::PlannerSetup> setup_from_rcs_machine(const gsim_rcs_machine& machine);
 
 }  // namespace gsim::rcs

@@ -38,7 +38,7 @@ std::string number_text(double value) {
 
 std::string sanitized_name(std::string_view name) {
     constexpr std::uint32_t kFirstPrintable = 0x20;
-    constexpr std::uint32_t kDelete = 0x7f;
+    constexpr std::uint32_t kDeleteCharacter = 0x7f;
     std::string plain;
     while (!name.empty()) {
         const text::Character first = text::first_character(name);
@@ -46,7 +46,7 @@ std::string sanitized_name(std::string_view name) {
         if (plain.size() + bytes > kMaxNameLength) break;
         if (first.bytes == 0) {
             plain += '?';
-        } else if (first.code < kFirstPrintable || first.code == kDelete) {
+        } else if (first.code < kFirstPrintable || first.code == kDeleteCharacter) {
             plain += ' ';
         } else {
             plain += name.substr(0, bytes);

@@ -113,7 +113,7 @@ std::size_t PathBuilder::add_path(Call call) {
 std::string PathBuilder::unique_name(const std::string& name) {
     const std::string& base = name.empty() ? "path" : name;
     std::string free = base;
-    for (int& copies = copies_[base]; !names_.insert(free).second;) {
+    for (int& copies = name_counts_[base]; !names_.insert(free).second;) {
         free = fmt::format("{} ({})", base, ++copies + 1);
     }
     return free;

@@ -68,7 +68,7 @@ class PathBuilder {
     path::Program program_;
     std::vector<Origin> origins_;                                // one for each path
     std::unordered_multimap<std::size_t, std::size_t> by_hash_;  // of targets, to the index of the path
-    std::unordered_map<std::string, int> copies_;                // of each name
+    std::unordered_map<std::string, int> name_counts_;           // of each name
     std::set<std::string> names_;
     std::vector<Call> open_calls_;  // the root first
     int excess_depth_ = 0;          // calls that are open beyond these

@@ -22,7 +22,7 @@ using simulation::MoveKind;
 
 namespace {
 
-constexpr double kPositionTolerance = 1e-9;  // mm or deg; as the Simulator has it
+constexpr double kPositionTolerance = 1e-9;  // mm or deg; as ProgramPosition has it
 constexpr std::array<double, 3> kQuarters = {0.25, 0.5, 0.75};
 constexpr int kMaxHalvings = 12;  // of such a motion, or of a quarter turn
 constexpr std::size_t kMaxTargets = 4'000'000;
@@ -105,12 +105,12 @@ void PathRecorder::line(const AxisVector& from, const LineMove& move, bool is_ro
     if ((move.target - from).cwiseAbs().maxCoeff() < kPositionTolerance) return;
     moves(from);
     if (move.kind == MoveKind::probe) {
-        notes_.insert("recorded path: probing moves are lines to where this run ended them");
+        notes_.insert("recorded path: probing moves are lines to the point where they ended in this run");
     }
     if (tool_position_.moves_other_linear_axes(from, move.target)) {
         notes_.insert(
-            "recorded path: what axes beside X, Y and Z carry the tool is in its positions; programs written "
-            "from the path move X, Y and Z in their place");
+            "recorded path: axes other than X, Y and Z that carry the tool are included in its positions; "
+            "programs written from the path move X, Y and Z instead");
     }
     if (move.kind == MoveKind::rapid) {
         builder_.add(point_at(move.target, MotionType::rapid));
@@ -131,7 +131,7 @@ void PathRecorder::record_line(const AxisVector& from, const LineMove& move, boo
     }
     if (move.kind == MoveKind::thread)
         notes_.insert(
-            "recorded path: threads with turning axes are lines, no longer in step with the spindle");
+            "recorded path: threads with rotating axes are lines, no longer in step with the spindle");
     depend_on_start(from);
     const double full_length_mm = (tool_position_.xyz(move.target) - tool_position_.xyz(from)).norm();
     const double total_deg = (move.target - from).norm();
@@ -224,8 +224,8 @@ void PathRecorder::on_unrecordable_motion(std::string_view reason) {
     if (error_.empty()) error_ = reason;
 }
 
-tl::expected<path::Program, std::string> PathRecorder::finish(const std::string& name) {
-    if (builder_.has_targets()) record_standstill(standstill_at_);
+Result<path::Program> PathRecorder::finish(const std::string& name) {
+    if (builder_.has_targets()) record_standstill(standstill_position_);
     if (error_.empty() && !builder_.has_targets()) error_ = "the program neither moves nor switches anything";
     if (!error_.empty()) return tl::unexpected(error_);
     path::Program program = builder_.finish(name);

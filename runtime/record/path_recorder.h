@@ -8,8 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "runtime/record/path_builder.h"
 #include "runtime/record/tool_position.h"
 #include "runtime/simulator/program_observer.h"
@@ -48,8 +47,8 @@ class PathRecorder final : public simulation::ProgramObserver {
 
     /// Returns what the path does not show as it was, one message each.
     const std::set<std::string>& notes() const { return notes_; }
-    /// Returns the path, once, after the last move; `name` is the program's. The error is a message.
-    tl::expected<path::Program, std::string> finish(const std::string& name);
+    /// Returns the path, once, after the last move; `name` is the program's.
+    Result<path::Program> finish(const std::string& name);
 
   private:
     /// Function that gives the axis values after a share, 0 to 1, of a move.
@@ -93,7 +92,7 @@ class PathRecorder final : public simulation::ProgramObserver {
     std::optional<double> spindle_rev_min_;
     bool moved_since_standstill_ = false;  // since the machine has last waited
     bool standstill_pending_ = false;      // before what follows, though no dwell or switch says so
-    simulation::AxisVector standstill_at_;
+    simulation::AxisVector standstill_position_;
     std::set<std::string> notes_;
     std::string error_;
 };

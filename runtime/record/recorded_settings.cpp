@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 3> kRampLimits = {"acceleration", "decele
 // Records that the next motion begins at standstill, which a dwell or a switch says already.
 void PathRecorder::standstill(const AxisVector& at) {
     standstill_pending_ = standstill_pending_ || moved_since_standstill_;
-    standstill_at_ = at;
+    standstill_position_ = at;
     moved_since_standstill_ = false;
 }
 
@@ -69,17 +69,16 @@ void PathRecorder::work_offset(const simulation::WorkOffset& offset) {
     work_offsets_.insert_or_assign(offset.name, path::WorkOffset{offset.origin, offset.rotation_deg});
     if (!offset.moved) return;
     notes_.insert(
-        fmt::format("recorded path: the program has moved the work offset G{}; its positions are counted "
-                    "from where that was "
-                    "before, and programs written from the path do not move it",
+        fmt::format("recorded path: the program has moved the work offset G{}; positions refer to the origin "
+                    "before the change, and programs written from the path do not move it",
                     offset.name));
 }
 
 void PathRecorder::tool_offset(const Eigen::Vector3d& offset_mm) {
     if (offset_mm.isZero(0)) return;
     notes_.insert(
-        "recorded path: offsets of tools (G43) are in its positions; programs written from the path have "
-        "none");
+        "recorded path: tool offsets (G43) are included in its positions; programs written from the path "
+        "have none");
 }
 
 }  // namespace gsim::record

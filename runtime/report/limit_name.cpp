@@ -30,7 +30,7 @@ std::string_view name_words(LimitKind kind) {
 
 }  // namespace
 
-std::string describe(motion::LimitedBy limited_by, const machine::Machine& machine) {
+std::string describe(motion::LimitCause limited_by, const machine::Machine& machine) {
     const std::string_view words = name_words(limited_by.kind);
     const bool is_axis_limit =
         limited_by.kind == LimitKind::joint_speed || limited_by.kind == LimitKind::acceleration;

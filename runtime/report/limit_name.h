@@ -9,6 +9,6 @@ namespace gsim::simulation {
 
 /// Returns what limited a move, for reports: "feed", "joint X speed", "rotary B acceleration", ...
 /// (docs/report.md).
-std::string describe(motion::LimitedBy limited_by, const machine::Machine& machine);
+std::string describe(motion::LimitCause limited_by, const machine::Machine& machine);
 
 }  // namespace gsim::simulation

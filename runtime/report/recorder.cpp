@@ -57,7 +57,7 @@ void Recorder::add_output(RunOutput& output) {
     output.begin(start_);
 }
 
-void Recorder::mark_last(std::uint16_t out_of_range) {
+void Recorder::mark_last_out_of_range(std::uint16_t out_of_range) {
     (pending_moves_.empty() ? move_.info : pending_moves_.back()).out_of_range = out_of_range;
 }
 
@@ -155,7 +155,7 @@ void Recorder::add_to_sums(const Segment& segment) {
         if (!move_.info.enabled_overrides.feed) feed_locked_s_.add(segment.duration_s);
         if (move_.info.follows_spindle && !move_.info.enabled_overrides.spindle)
             spindle_locked_s_.add(segment.duration_s);
-        if (move_.info.process_on) jet_on_mm_.add(segment.length_mm);
+        if (move_.info.process_on) process_on_mm_.add(segment.length_mm);
     }
 }
 
@@ -199,7 +199,7 @@ void Recorder::finish(Report& report) {
     report.dwell_s = dwell_s_.value();
     report.rapid_mm = rapid_mm_.value();
     report.feed_mm = feed_mm_.value();
-    report.process_on_mm = jet_on_mm_.value();
+    report.process_on_mm = process_on_mm_.value();
     report.moves = moves_;
     if (report.overrides) {
         report.overrides->feed_locked_s = feed_locked_s_.value();

@@ -34,7 +34,7 @@ class Recorder : public motion::SegmentSink {
     void expect(const MoveInfo& info) { pending_moves_.push_back(info); }
     void on_segment(const motion::Segment& segment) override;
     /// Marks that the move announced last exceeds the ranges of these joints (MoveInfo::beyond).
-    void mark_last(std::uint16_t out_of_range);
+    void mark_last_out_of_range(std::uint16_t out_of_range);
 
     /// Returns the move with the arriving segments; an unexpected one has only an id.
     const MoveInfo& move() const { return move_.info; }
@@ -76,7 +76,7 @@ class Recorder : public motion::SegmentSink {
     bool in_move_ = false;  // move_ was expected, so that it may count
     double end_s_ = 0;
     std::uint64_t moves_ = 0;
-    CompensatedSum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
+    CompensatedSum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, process_on_mm_;
     CompensatedSum feed_locked_s_, rapid_locked_s_, spindle_locked_s_;  // against the operator's overrides
     std::array<motion::Range, rrs::kMaxJoints> ranges_;  // of joint values; the first joint_count hold them
     SlowestMoves slowest_;

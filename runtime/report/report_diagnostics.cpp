@@ -76,7 +76,7 @@ class Collector {
         }
         if (violations.count > violations.list.size()) {
             add(at({}), Severity::note, DiagnosticKind::axis_limit,
-                fmt::format("{} violations more", violations.count - violations.list.size()));
+                fmt::format("{} more violations", violations.count - violations.list.size()));
         }
         if (std::string suggested_fix = suggested_fix_text(violations); !suggested_fix.empty())
             add(at({}), Severity::note, DiagnosticKind::axis_limit, std::move(suggested_fix));
@@ -88,7 +88,7 @@ class Collector {
             add(at(finding.location), Severity::warning, finding.kind, finding.message);
         if (findings.count > findings.list.size()) {
             add(at({}), Severity::warning, findings.list.back().kind,
-                fmt::format("{} findings more of the process", findings.count - findings.list.size()));
+                fmt::format("{} more process violations", findings.count - findings.list.size()));
         }
     }
 
@@ -104,7 +104,7 @@ class Collector {
         }
         if (efforts.excess_count > efforts.excesses.size()) {
             add(at({}), Severity::warning, DiagnosticKind::motor_peak,
-                fmt::format("{} moves more that need more than a motor brings up",
+                fmt::format("{} more moves that need more than a motor can deliver",
                             efforts.excess_count - efforts.excesses.size()));
         }
     }
@@ -124,7 +124,7 @@ class Collector {
         }
         if (report_.cell->dropped > 0) {
             add(at({}), Severity::warning, DiagnosticKind::near_miss,
-                fmt::format("{} findings more in the cell", report_.cell->dropped));
+                fmt::format("{} more violations in the cell", report_.cell->dropped));
         }
     }
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/text/format.h"
-#include "runtime/report/report_values.h"
-#include "runtime/report/report_words.h"
+#include "runtime/report/json_values.h"
+#include "runtime/report/text_helpers.h"
 
 namespace gsim::simulation {
 
@@ -83,15 +83,16 @@ void add_axes(ReportLines& out, const Report& report) {
 }
 
 void add_energies(ReportLines& out, const EffortReport& efforts) {
-    out.add("energy      {:.3f} kJ from the motors, {:.3f} kJ back to them, {:.3f} kJ of it friction",
+    out.add("energy      {:.3f} kJ from the motors, {:.3f} kJ back to them, {:.3f} kJ of this is friction",
             efforts.drive_j / 1000, efforts.regenerated_j / 1000, efforts.friction_j / 1000);
-    out.add("peak power  {:.1f} W of all motors, at {:.3f} s", efforts.peak_power_w, efforts.peak_power_t_s);
+    out.add("peak power  {:.1f} W of all motors together, at {:.3f} s", efforts.peak_power_w,
+            efforts.peak_power_t_s);
     if (efforts.time_by_axis_accelerations_s) {
-        out.add("limit       torques: with the accelerations of the axes the same moves take {:.3f} s",
+        out.add("limit       torques: with the axis accelerations the same moves take {:.3f} s",
                 *efforts.time_by_axis_accelerations_s);
     }
     if (efforts.jumps > 0) {
-        out.add("jumps       {} of speeds, for which no force is finite: they count as energy, not as force",
+        out.add("jumps       {} in speed, which need infinite force: they count as energy, not as force",
                 efforts.jumps);
     }
     if (efforts.programs.size() < 2) return;

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/report/report_values.h"
-#include "runtime/report/report_words.h"
+#include "runtime/report/json_values.h"
+#include "runtime/report/text_helpers.h"
 
 namespace gsim::simulation {
 
@@ -23,7 +23,7 @@ Json following_axis_json(const Report& report, const AxisFollowing& axis) {
     return {{"axis", letter(axis.letter)},
             {"unit", following_unit(axis)},
             {"position_gain_1_s", number(axis.gain_1_s)},
-            {"behind_s", number(axis.constant_speed_lag_s)},
+            {"lag_s", number(axis.constant_speed_lag_s)},
             {"peak", number(axis.peak)},
             {"t_s", number(axis.peak_t_s)},
             {"file", has_lag ? file(report, axis.peak_location) : Json(nullptr)},
@@ -63,8 +63,8 @@ nlohmann::ordered_json following_json(const Report& report) {
 
 std::string following_text(const Report& report) {
     const FollowingReport& following = *report.following;
-    std::string out = fmt::format("\n{:<15}{:>11}{:>12}{:>14}   {}\n", "following", "peak", "rms",
-                                  "behind (ms)", "peak at");
+    std::string out =
+        fmt::format("\n{:<15}{:>11}{:>12}{:>14}   {}\n", "following", "peak", "rms", "delay (ms)", "peak at");
     for (const AxisFollowing& axis : following.axes) {
         std::string row =
             fmt::format("{} {:<13}{:>11.4f}{:>12.4f}{:>14.3f}   {}", axis.letter, following_unit(axis),
@@ -77,12 +77,12 @@ std::string following_text(const Report& report) {
     if (following.rapid.error_mm > 0)
         out += fmt::format("            {}, in rapid moves\n", contour_text(report, following.rapid));
     if (following.program) {
-        out += fmt::format("            {}, from the programmed way\n",
+        out += fmt::format("            {}, from the programmed path\n",
                            contour_text(report, *following.program));
     }
     out += following.in_position_s
-               ? fmt::format("in position {:.4f} s behind the end\n", *following.in_position_s)
-               : std::string("in position not within 20 time constants behind the end\n");
+               ? fmt::format("in position {:.4f} s after the end\n", *following.in_position_s)
+               : std::string("in position not within 20 time constants after the end\n");
     return out;
 }
 

@@ -3,10 +3,10 @@
 
 #include "base/text/diagnostic_json.h"
 #include "base/text/file_format.h"
+#include "runtime/report/json_values.h"
 #include "runtime/report/report_diagnostics.h"
 #include "runtime/report/report_efforts.h"
 #include "runtime/report/report_following.h"
-#include "runtime/report/report_values.h"
 #include "runtime/report/robots_report.h"
 
 namespace gsim::simulation {
@@ -258,7 +258,7 @@ Json object(const Report& report) {
         {"alarm", alarm(report)},
         {"violations", violations(report)},
         {"violation_count", report.violations.count},
-        {"remedy", suggested_fix(report.violations)},
+        {"suggested_fix", suggested_fix(report.violations)},
         {"cycle_time_s", number(report.cycle_time_s)},
         {"valid_until_s", number(report.violations.valid_until_s())},
         {"time", times(report)},
@@ -266,7 +266,7 @@ Json object(const Report& report) {
         {"length",
          {{"rapid_mm", number(report.rapid_mm)},
           {"feed_mm", number(report.feed_mm)},
-          {"jet_on_mm", number(report.process_on_mm)}}},
+          {"process_on_mm", number(report.process_on_mm)}}},
         {"blocks", report.blocks},
         {"moves", report.moves},
         {"blends", blends(report)},
@@ -290,7 +290,7 @@ Json object(const Report& report) {
     if (report.cell) {
         json["cell"] = {{"name", report.cell->name},
                         {"clearance_mm", number(report.cell->clearance_mm)},
-                        {"looked_at", checked_bodies(report.cell->checked_bodies)}};
+                        {"checked", checked_bodies(report.cell->checked_bodies)}};
         json["collisions"] = collisions(report);
         json["clearances"] = clearances(report);
     }

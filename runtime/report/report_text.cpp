@@ -9,7 +9,7 @@
 #include "runtime/report/report.h"
 #include "runtime/report/report_efforts.h"
 #include "runtime/report/report_following.h"
-#include "runtime/report/report_words.h"
+#include "runtime/report/text_helpers.h"
 
 namespace gsim::simulation {
 
@@ -63,7 +63,7 @@ class Text {
 
 void add_deviation(Text& out, const Report& report, std::string_view moves, const Deviation& deviation) {
     if (deviation.deviation_mm <= 0) return;
-    out.line("{:<12}at most {:.4f} mm off, at {}", moves, deviation.deviation_mm,
+    out.line("{:<12}max deviation {:.4f} mm, at {}", moves, deviation.deviation_mm,
              location_text(report, deviation.location));
 }
 
@@ -78,20 +78,20 @@ void add_blends(Text& out, const Report& report) {
 void add_passes(Text& out, const Report& report) {
     if (!report.passes) return;
     out.line("{:<12}{}", "passes", to_text(*report.passes));
-    out.line("{:<12}{}", "  back at", location_text(report, report.passes->location, kLineWidth - 12));
+    out.line("{:<12}{}", "  jump at", location_text(report, report.passes->location, kLineWidth - 12));
 }
 
 void add_overrides(Text& out, const Report& report) {
     if (!report.overrides) return;
-    constexpr std::size_t kMaxDisplayedPassages = 10;
+    constexpr std::size_t kMaxDisplayedOverrideChanges = 10;
     const std::vector<motion::OverrideChange>& changes = report.overrides->changes;
-    for (std::size_t i = 0; i < std::min(changes.size(), kMaxDisplayedPassages); ++i) {
+    for (std::size_t i = 0; i < std::min(changes.size(), kMaxDisplayedOverrideChanges); ++i) {
         const motion::Overrides& to = changes[i].to;
         out.line("{:<12}feed {:g} %, rapid {:g} %, spindle {:g} % from {:.3f} s on",
                  i == 0 ? "overrides" : "", to.feed * 100, to.rapid * 100, to.spindle * 100, changes[i].at_s);
     }
-    if (changes.size() > kMaxDisplayedPassages)
-        out.line("{:<12}and {} more changes", "", changes.size() - kMaxDisplayedPassages);
+    if (changes.size() > kMaxDisplayedOverrideChanges)
+        out.line("{:<12}and {} more changes", "", changes.size() - kMaxDisplayedOverrideChanges);
     for (const auto& [name, locked_s] : {std::pair{"feed", report.overrides->feed_locked_s},
                                          {"rapid", report.overrides->rapid_locked_s},
                                          {"spindle", report.overrides->spindle_locked_s}}) {
@@ -121,7 +121,7 @@ void add_header(Text& out, const Report& report) {
                  ? fmt::format(", {:.3f} to {:.3f} s (95 %)", report.interval->min_s, report.interval->max_s)
                  : "");
     if (const auto valid_s = report.violations.valid_until_s())
-        out.line("{:<12}not valid from {:.3f} s on, where the machine is first past a limit", "", *valid_s);
+        out.line("{:<12}not valid from {:.3f} s on, because the machine exceeds a limit there", "", *valid_s);
     add_passes(out, report);
     add_overrides(out, report);
     out.line("{:<12}{} executed, {} moves", "blocks", report.blocks, report.moves);
@@ -166,14 +166,14 @@ void add_times(Text& out, const Report& report) {
 void add_explanation(Text& out, const Report& report) {
     if (!report.explanation) return;
     out.blank();
-    out.line("{:<24}{:>12}{:>10}", "where the time goes", "time (s)", "share");
+    out.line("{:<24}{:>12}{:>10}", "time by cause", "time (s)", "share");
     for (const LimitTime& limit : report.explanation->time_by_limit) {
         out.line("{:<24}{:>12.3f}{:>8.1f} %", limit.limited_by, limit.time_s, percent(report, limit.time_s));
     }
     if (!report.explanation->lower_bound_s) return;
     const double bound_s = *report.explanation->lower_bound_s;
     const std::string times =
-        bound_s > 0 ? fmt::format("  (the program takes {:.2f} times as long)", report.cycle_time_s / bound_s)
+        bound_s > 0 ? fmt::format("  (the program takes {:.2f} times this)", report.cycle_time_s / bound_s)
                     : "";
     out.line("lower bound  {:.3f} s{}", bound_s, times);
 }
@@ -203,7 +203,7 @@ void add_bounds(Text& out, const Report& report) {
     if (report.bounds.empty()) return;
     out.blank();
     out.line("{:<9}{:>12}{:>12}{:>13}{:>12}   {}", "axis", "min", "max", "limit min", "limit max",
-             "reached of range");
+             "used range");
     for (const AxisBounds& axis : report.bounds) {
         const bool outside = axis.min < axis.limit_min || axis.max > axis.limit_max;
         out.line("{} {:<7}{:>12}{:>12}{:>13}{:>12}   {}{}", axis.letter, axis.rotary ? "deg" : "mm",
@@ -256,13 +256,13 @@ void add_checked_bodies(Text& out, const CheckedBodies& bodies) {
     if (bodies.jets > 0) of += ", " + count_text(bodies.jets, "jet", "jets");
     if (bodies.objects > 0) of += ", " + count_text(bodies.objects, "object", "objects");
     std::string pairs = count_text(bodies.pairs, "pair", "pairs");
-    if (bodies.allowed_pairs > 0) pairs += fmt::format(", but for {} that may touch", bodies.allowed_pairs);
+    if (bodies.allowed_pairs > 0)
+        pairs += fmt::format(", except for {} that may be in contact", bodies.allowed_pairs);
     if (bodies.robot_pairs > 0)
         pairs += fmt::format("; {} with other robots", count_text(bodies.robot_pairs, "pair", "pairs"));
-    out.line("{:<12}looked at: {}; {}", "", of, pairs);
+    out.line("{:<12}checked: {}; {}", "", of, pairs);
     if (bodies.replaced > 0)
-        out.line("{:<12}in place of {} of the machine file", "",
-                 count_text(bodies.replaced, "shape", "shapes"));
+        out.line("{:<12}replaces {} of the machine file", "", count_text(bodies.replaced, "shape", "shapes"));
 }
 
 void add_collisions(Text& out, const Report& report) {
@@ -292,7 +292,7 @@ void add_clearances(Text& out, const Report& report) {
     std::stable_sort(blocks.begin(), blocks.end(), [](const BlockClearance* a, const BlockClearance* b) {
         return a->clearance_mm < b->clearance_mm;
     });
-    out.line("{} blocks come nearer than {:.10g} mm, the nearest first:", blocks.size(),
+    out.line("{} blocks are nearer than {:.10g} mm, the nearest first:", blocks.size(),
              report.cell->clearance_mm);
     for (std::size_t i = 0; i < std::min(blocks.size(), kMaxDisplayedClearances); ++i) {
         out.line("{:>11.3f} mm  {:<30}  {}", blocks[i]->clearance_mm,
@@ -311,7 +311,7 @@ void add_cell(Text& out, const Report& report) {
 void add_zone_uses(Text& out, const Report& report) {
     if (report.zone_uses.empty()) return;
     out.blank();
-    out.line("{:<24}  {:<16}  {:<20}{:>12}{:>12}{:>12}", "zones", "process", "asked at", "asked (s)",
+    out.line("{:<24}  {:<16}  {:<20}{:>12}{:>12}{:>12}", "zones", "process", "request at", "request (s)",
              "from (s)", "to (s)");
     const auto of = [](std::optional<double> t_s) { return t_s ? text::fixed(*t_s, 3) : std::string("-"); };
     for (std::size_t i = 0; i < std::min(report.zone_uses.size(), kMaxDisplayedEvents); ++i) {
@@ -356,7 +356,7 @@ void add_findings(Text& out, const Report& report) {
             fmt::format("{}: {}", location_text(report, list[i].location, kLineWidth / 2), list[i].message));
     }
     if (report.findings.count > visible_count)
-        out.line("and {} more findings", report.findings.count - visible_count);
+        out.line("and {} more violations", report.findings.count - visible_count);
 }
 
 void add_warnings(Text& out, const Report& report) {
@@ -371,7 +371,7 @@ void add_warnings(Text& out, const Report& report) {
 }  // namespace
 
 std::string to_text(const Passes& passes) {
-    return fmt::format("{} of the main program, which leads back to {}; --passes runs more", passes.count,
+    return fmt::format("{} of the main program, which jumps back to {}; --passes runs more", passes.count,
                        passes.to_block ? fmt::format("N{}", *passes.to_block) : "its start");
 }
 

@@ -11,8 +11,8 @@
 namespace gsim::simulation {
 
 std::string MultiRobotMonitor::item_name(const Track& track, std::size_t item) {
-    if (track.simulator == nullptr) return fmt::format("zone {}", track.name);
-    return track.simulator->cell()->cell().items[item].name;
+    if (track.cell == nullptr) return fmt::format("zone {}", track.name);
+    return track.cell->cell().items[item].name;
 }
 
 /// Records new contacts of a pair, while the parts of both sides still exist.
@@ -21,12 +21,12 @@ void MultiRobotMonitor::note(Pair& pair, const std::array<const TrackSegment*, 2
     for (; pair.reported_count < contacts.size(); ++pair.reported_count) {
         const cell::Contact& contact = contacts[pair.reported_count];
         CollisionFinding found{static_cast<std::size_t>(&pair - pairs_.data()), pair.reported_count, {}};
-        const auto add = [&](std::size_t robot, const TrackSegment& sub_segment, std::string own_body,
+        const auto add = [&](std::size_t robot, const TrackSegment& sub_segment, std::string robot_body,
                              std::string other) {
             const motion::Segment& segment = sub_segment.segment;
             const double t_s = std::clamp(contact.t_s - segment.start_s, 0.0, segment.duration_s);
-            found.sides.push_back({robot, sub_segment.location, segment.position_at(t_s), std::move(own_body),
-                                   std::move(other)});
+            found.sides.push_back({robot, sub_segment.location, segment.position_at(t_s),
+                                   std::move(robot_body), std::move(other)});
         };
         const Track& first = tracks_[pair.tracks[0]];
         const Track& second = tracks_[pair.tracks[1]];
@@ -68,7 +68,7 @@ void MultiRobotMonitor::add_collision(const CollisionFinding& found, const Conta
     CellFindings& findings = *reports[side.robot].report.cell;
     const cell::Contact& contact = pairs_[found.pair].monitor.contacts()[found.contact];
     const Eigen::Vector3d point_mm = tracks_[side.robot].base.inverse() * contact.point_mm;
-    list(findings, Collision{contact.t_s, side.location, side.own_body, side.other, to_array(point_mm),
+    list(findings, Collision{contact.t_s, side.location, side.robot_body, side.other, to_array(point_mm),
                              contact.penetrating, side.joints});
 }
 
@@ -78,7 +78,7 @@ std::vector<std::string> MultiRobotMonitor::warnings() const {
         for (std::size_t b = a + 1; b < robots_; ++b) {
             if (!has_bodies(a) || !has_bodies(b) || has_separate_base(a, b)) continue;
             list.push_back(
-                fmt::format("robots '{}' and '{}' stand in the same place (base): not looked at against each "
+                fmt::format("robots '{}' and '{}' have the same base position: not checked against each "
                             "other; give each a base",
                             tracks_[a].name, tracks_[b].name));
         }

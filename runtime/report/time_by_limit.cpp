@@ -20,8 +20,8 @@ std::vector<LimitTime> TimeByLimit::list(const machine::Machine& machine) const 
         for (std::size_t joint = 0; joint < kJoints; ++joint) {
             const double time_s = limits_[kind][joint].value();
             if (!(time_s > 0)) continue;
-            const motion::LimitedBy limited_by{static_cast<motion::LimitKind>(kind),
-                                               static_cast<std::int8_t>(static_cast<int>(joint) - 1)};
+            const motion::LimitCause limited_by{static_cast<motion::LimitKind>(kind),
+                                                static_cast<std::int8_t>(static_cast<int>(joint) - 1)};
             times_s[describe(limited_by, machine)] += time_s;
         }
     }

@@ -31,7 +31,7 @@ RigidBody body_of(const machine::LinkMass& mass) {
 
 JointDrive make_joint_drive(const machine::Axis& axis) {
     const double speeds = axis.kind == machine::AxisKind::linear ? 1 / kMetresPerMm : kDegPerRad;
-    return {.coulomb = axis.drive.coulomb,
+    return {.coulomb_friction = axis.drive.coulomb_friction,
             .viscous = axis.drive.viscous * speeds,
             .rotor = axis.drive.rotor,
             .counterweight = axis.drive.counterweight};
@@ -53,7 +53,8 @@ std::optional<std::string> add_shapes(const machine::Machine& machine, const cel
         if (shape.density_kg_m3 == 0 || link == nullptr) continue;
         const auto body = cell::compute_rigid_body(shape.form, shape.density_kg_m3, files);
         if (!body)
-            return fmt::format("the shape '{}' of the machine has no mass: {}", shape.name, body.error());
+            return fmt::format("the shape '{}' of the machine has no mass: {}", shape.name,
+                               body.error().message);
         Eigen::Isometry3d pose = machine::frame_pose(shape.frame);
         pose.translation() *= kMetresPerMm;
         *link = joined(*link, moved(*body, pose));
@@ -90,8 +91,8 @@ std::optional<std::string> find_massless_axis(const machine::Machine& machine,
         if (!machine::has_motor(machine.axes[i]) || dynamics.inertial_efforts(home, unit)[joint] > 0)
             continue;
         return fmt::format(
-            "'limit = \"torque\"' of [dynamics] needs a mass that axis {} moves: no [[mass]], no "
-            "density of a [[shape]] and no '{}' gives it one",
+            "'limit = \"torque\"' of [dynamics] needs a mass that axis {} moves: define it with a [[mass]], "
+            "a density of a [[shape]] or '{}'",
             machine.axes[i].letter,
             machine.axes[i].kind == machine::AxisKind::linear ? "rotor_kg" : "rotor_kg_m2");
     }

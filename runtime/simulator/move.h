@@ -45,11 +45,11 @@ struct MoveInfo {
     bool process_on = false;
     bool senses_cell = false;    ///< A probe that the bodies of the cell end.
     std::uint32_t switches = 0;  ///< Number of switches of the process by the program so far, on or off.
-    std::uint16_t offset = 0;    ///< The work offset in force, as Simulator counts them.
-    std::uint16_t tcp = 0;       ///< TCP of the tool in use, an index of Simulator::tcp_offsets_mm().
+    std::uint16_t offset = 0;    ///< Active work offset, as WorkOffsets counts them.
+    std::uint16_t tcp = 0;       ///< TCP of the tool in use, an index of ToolOffset::tcps_mm().
     motion::EnabledOverrides enabled_overrides = {};  ///< Active operator's overrides.
     bool follows_spindle = false;                     ///< Its feed is given by turns of the spindle.
-    std::uint16_t program = 0;       ///< That it is of, as Simulator counts them; 0: the main one.
+    std::uint16_t program = 0;       ///< That it is of, as ProgramCalls counts them; 0: the main one.
     std::uint16_t out_of_range = 0;  ///< Bit for each joint that it moves past its range, from the lowest on.
 };
 

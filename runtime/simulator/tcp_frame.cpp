@@ -11,7 +11,7 @@ namespace gsim::simulation {
 namespace {
 
 constexpr double kOrthogonalityTolerance = 1e-9;
-constexpr double kNearlySquare = 0.01;  // half a degree: no machine that is aligned is off by so much
+constexpr double kMaxAlignmentError = 0.01;  // half a degree: no machine that is aligned is off by so much
 
 double non_orthogonality(const Eigen::Matrix3d& directions) {
     return (directions.transpose() * directions - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
@@ -41,20 +41,18 @@ tl::expected<TcpFrame, std::string> TcpFrame::make(const motion::PlannerSetup& s
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint < 0) {
             return tl::unexpected(std::string(
-                "tool-centre-point control needs the linear axes X, Y and Z; this machine has not "
-                "all of them"));
+                "TCP control needs the linear axes X, Y and Z; this machine does not have all of them"));
         }
         rrs::JointPos moved = joints;
         moved[joint] += 1;
         frame.directions_.col(axis) = setup.kinematics->forward(moved) * tool_mm - frame.origin_mm_;
     }
     const double deviation = non_orthogonality(frame.directions_);
-    if (deviation > kOrthogonalityTolerance && deviation < kNearlySquare)
+    if (deviation > kOrthogonalityTolerance && deviation < kMaxAlignmentError)
         frame.directions_ = orthogonalized(frame.directions_);
-    if (!(deviation < kNearlySquare)) {
-        return tl::unexpected(std::string(
-            "tool-centre-point control needs X, Y and Z at right angles; those of this machine are "
-            "not"));
+    if (!(deviation < kMaxAlignmentError)) {
+        return tl::unexpected(
+            std::string("TCP control needs X, Y and Z at right angles; those of this machine are not"));
     }
     frame.handedness_ = frame.directions_.determinant() < 0 ? -1 : 1;
     frame.tcp_mm_ = tool_mm - (origin.linear().transpose() * (frame.directions_ * offset_mm));
@@ -65,7 +63,7 @@ tl::expected<rrs::JointPos, std::string> TcpFrame::joints(const motion::PlannerS
                                                           const rrs::JointPos& coordinates) const {
     const Eigen::Vector3d requested = point(motion::read_position(setup, coordinates));
     if (auto placed = motion::solve_slides(setup, coordinates, tcp_mm_, requested)) return *std::move(placed);
-    return tl::unexpected(std::string("the rotary axes would stand so that two slides go the same way"));
+    return tl::unexpected(std::string("the position of the rotary axes would make two linear axes parallel"));
 }
 
 rrs::JointPos TcpFrame::coordinates(const motion::PlannerSetup& setup, const rrs::JointPos& joints) const {

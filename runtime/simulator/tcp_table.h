@@ -25,7 +25,7 @@ class TcpTable {
         tcp_offsets_mm_.push_back(tcp_mm);
         return number;
     }
-    const std::vector<Eigen::Vector3d>& list_mm() const { return tcp_offsets_mm_; }
+    const std::vector<Eigen::Vector3d>& offsets_mm() const { return tcp_offsets_mm_; }
 
   private:
     using Key = std::array<double, 3>;

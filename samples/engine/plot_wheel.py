@@ -13,7 +13,7 @@ program = sys.argv[1] if len(sys.argv) > 1 else "/usr/share/gsim/samples/wheel.n
 picture = sys.argv[2] if len(sys.argv) > 2 else "wheel.png"
 
 run = gsim.run(program, step_s=0.02)
-at, cutting = run.samples, run.moves["jet_on"] != 0
+at, cutting = run.samples, run.moves["process_on"] != 0
 print(f"{len(run.moves)} moves, {run.moves['length_mm'][cutting].sum():.1f} mm cut, {run.report['cycle_time_s']:.3f} s")
 
 figure, (path, speed) = plt.subplots(2, figsize=(7, 9), height_ratios=(3, 1))

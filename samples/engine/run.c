@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
     gsim_request_destroy(request);
     size_t moves = 0;
     int status = gsim_run_status(run);
-    if (status == GSIM_OK) status = gsim_run_take_moves(run, 0, take_moves, &moves);
+    if (status == GSIM_OK) status = gsim_run_on_moves(run, 0, take_moves, &moves);
     if (status == GSIM_OK) status = gsim_run_go(run);
     if (status == GSIM_OK) {
         printf("%zu moves\n%s", moves, gsim_run_report_text(run));

@@ -64,7 +64,7 @@ class Columns {
 };
 
 // The appearance uses the upper half of an entry of vertex_segment.
-constexpr std::size_t kMostSegments = std::size_t{1} << 16U;
+constexpr std::size_t kMaxSegments = std::size_t{1} << 16U;
 constexpr int kSpeedsPerOctave = 8;
 constexpr int kCodeOfOneMmPerSecond = 17;
 constexpr int kMaxSpeedCode = 127;
@@ -142,15 +142,15 @@ std::optional<std::string> compact_message(std::string_view message) {
     const Columns columns(message, header);
     const auto start_s = columns.get<double>("start_s");
     const auto duration_s = columns.get<double>("duration_s");
-    if (start_s.size() > kMostSegments) throw std::invalid_argument("a message has too many segments");
+    if (start_s.size() > kMaxSegments) throw std::invalid_argument("a message has too many segments");
     Message compact("segments");
-    auto& lean_header = compact.header();
-    lean_header.update({{"lean", true},
-                        {"robot", header.at("robot")},
-                        {"first", header.at("first")},
-                        {"count", start_s.size()}});
+    auto& compact_header = compact.header();
+    compact_header.update({{"lean", true},
+                           {"robot", header.at("robot")},
+                           {"first", header.at("first")},
+                           {"count", start_s.size()}});
     if (!start_s.empty()) {
-        lean_header.update({{"start_s", start_s.front()}, {"end_s", start_s.back() + duration_s.back()}});
+        compact_header.update({{"start_s", start_s.front()}, {"end_s", start_s.back() + duration_s.back()}});
     }
     const auto styles = segment_styles(columns);
     const auto segments = columns.get<std::uint32_t>("vertex_segment");

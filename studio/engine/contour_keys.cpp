@@ -11,12 +11,12 @@ constexpr double kMaxCoordinate_mm = 1e6;
 }  // namespace
 
 void unpack_contours(KeyReader& keys, std::optional<engine::SurfaceCuttingOptions>& surface) {
-    const json* given_json = keys.object("contours");
-    if (given_json == nullptr) return;
+    const json* object_json = keys.object("contours");
+    if (object_json == nullptr) return;
     constexpr std::array kKinds{"holes", "outlines", "all", "edges"};
     constexpr std::array kAxes{"wall", "normal"};
     engine::SurfaceCuttingOptions& options = surface.emplace();
-    KeyReader parameters(*given_json, "contours");
+    KeyReader parameters(*object_json, "contours");
     std::optional<std::size_t> kind, side, axis;
     std::optional<int> bridges;
     parameters.word("kind", kKinds, kind);
@@ -34,7 +34,7 @@ void unpack_contours(KeyReader& keys, std::optional<engine::SurfaceCuttingOption
     if (side) options.contours.side = kViewDirections[*side];
     if (axis) options.contours.along_walls = *axis == 0;
     options.bridges = bridges.value_or(0);
-    if (auto read = parameters.end(); !read) keys.add_error(read.error());
+    if (auto read = parameters.end(); !read) keys.add_error(read.error().message);
 }
 
 }  // namespace gsim::studio

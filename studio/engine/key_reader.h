@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/text/json.h"
 
 namespace gsim::studio {
@@ -50,7 +49,7 @@ class KeyReader {
     void add_error(std::string message);
 
     /// Returns the first error of all, or that of an unexpected key.
-    tl::expected<void, std::string> end();
+    Result<void> end();
 
   private:
     const nlohmann::json* value_of_type(const char* key, const char* expected_type,

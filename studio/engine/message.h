@@ -9,12 +9,15 @@
 
 namespace gsim::studio {
 
+/// Format of messages (docs/versions.md). It rises if a page of before would misunderstand a new message.
+inline constexpr int kMessageFormat = 1;
+
 /// Message of the engine to a page: a header in JSON, followed by columns of numbers that a page reads
 /// without a copy. docs/studio.md has the layout.
 class Message {
   public:
     /// `is`: its type, "segments".
-    explicit Message(const char* is) : header_{{"is", is}} {}
+    explicit Message(const char* is) : header_{{"format", kMessageFormat}, {"is", is}} {}
 
     nlohmann::ordered_json& header() { return header_; }
     void add(const char* name, std::span<const double> values) { write(name, "f64", values); }

@@ -78,22 +78,21 @@ const auto* find_row(const Rows& rows, const std::string& key) {
     return static_cast<decltype(rows.data())>(nullptr);
 }
 
-tl::expected<void, std::string> set(Request& request, const std::string& key, const nlohmann::json& value) {
+Result<void> set(Request& request, const std::string& key, const nlohmann::json& value) {
     const auto error = [&](const std::string& expected_type) {
-        return tl::unexpected(
-            fmt::format("'{}' should be {}, not {}", key, expected_type, display_text(value)));
+        return Unexpected(fmt::format("'{}' must be {}, not {}", key, expected_type, display_text(value)));
     };
     if (const TextKey* text = find_row(kTextKeys, key)) {
-        if (!value.is_string()) return error("a text");
+        if (!value.is_string()) return error("a string");
         text->target(request) = value.get<std::string>();
         return {};
     }
     if (const NumberKey* number = find_row(kNumberKeys, key)) {
         if (!value.is_number()) return error("a number");
-        const auto given_value = value.get<double>();
-        if (!(given_value >= number->min && given_value <= number->max))
+        const auto parsed_value = value.get<double>();
+        if (!(parsed_value >= number->min && parsed_value <= number->max))
             return error(fmt::format("from {} to {}", number->min, number->max));
-        number->set(request, given_value);
+        number->set(request, parsed_value);
         return {};
     }
     if (const SwitchKey* switch_key = find_row(kSwitches, key)) {
@@ -101,13 +100,13 @@ tl::expected<void, std::string> set(Request& request, const std::string& key, co
         request.*switch_key->target = value.get<bool>();
         return {};
     }
-    return tl::unexpected(fmt::format("there is no key '{}' of a run", key));
+    return Unexpected(fmt::format("unknown key '{}' of a run", key));
 }
 
 }  // namespace
 
-tl::expected<Request, std::string> run_request(const nlohmann::json& request_json) {
-    if (!request_json.is_object()) return tl::unexpected(std::string("a request should be an object"));
+Result<Request> run_request(const nlohmann::json& request_json) {
+    if (!request_json.is_object()) return Unexpected("a request must be an object");
     Request request;
     for (const auto& [key, value] : request_json.items()) {
         if (auto done = set(request, key, value); !done) return tl::unexpected(done.error());
@@ -115,7 +114,7 @@ tl::expected<Request, std::string> run_request(const nlohmann::json& request_jso
     return request;
 }
 
-tl::expected<Request, std::string> form_request(nlohmann::json& request_json) {
+Result<Request> form_request(nlohmann::json& request_json) {
     Request request;
     for (const char* key : {"machine", "machine_data", "cell"}) {
         const auto value = request_json.find(key);

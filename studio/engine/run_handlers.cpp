@@ -20,7 +20,7 @@ VoidResult translate(const engine::Request& request, bool with_script, const Pos
     auto translation = engine::Translation::open(translation_request(request));
     if (!translation) return tl::unexpected(translation.error());
     if (auto result = translation->make(
-            [&post](const engine::Diagnostic& reported) { post_diagnostic(reported, post); });
+            [&post](const engine::Diagnostic& reported) { send_diagnostic(reported, post); });
         !result) {
         if (result.error().in_program) return {};  // the page already has the error
         return result;
@@ -43,13 +43,13 @@ VoidResult translate(const engine::Request& request, bool with_script, const Pos
 VoidResult handle_run(const nlohmann::json& /*own*/, const engine::Request& request, const Post& post) {
     RunSeries series;
     auto run =
-        Run::open(request, [&post](const engine::Diagnostic& reported) { post_diagnostic(reported, post); });
+        Run::open(request, [&post](const engine::Diagnostic& reported) { send_diagnostic(reported, post); });
     if (!run) return tl::unexpected(run.error());
     if (auto prepared = run->prepare(); !prepared) {
-        if (prepared.error().in_program) post_report(run->make_report(prepared.error()), post);
+        if (prepared.error().in_program) send_report(run->make_report(prepared.error()), post);
         return prepared;
     }
-    if (auto reported = post_run(*run, series, post); !reported) return reported;
+    if (auto reported = send_run(*run, series, post); !reported) return reported;
     run->on_progress([&post](std::uint64_t done, std::uint64_t total) {
         Message message("progress");
         message.header().update({{"done", done}, {"total", total}});
@@ -57,7 +57,7 @@ VoidResult handle_run(const nlohmann::json& /*own*/, const engine::Request& requ
     });
     const auto report = run->go();
     if (!report) return tl::unexpected(report.error());
-    return post_end(*run, series, *report, post);
+    return send_end(*run, series, *report, post);
 }
 
 VoidResult handle_check(const nlohmann::json& /*own*/, const engine::Request& request, const Post& post) {

@@ -27,7 +27,7 @@ const char* severity_name(engine::Severity severity) {
 }
 
 /// Sends the scene, and returns the data sent.
-tl::expected<Json, engine::Error> post_scene(const Run& run, std::size_t robot, Meshes meshes,
+tl::expected<Json, engine::Error> send_scene(const Run& run, std::size_t robot, Meshes meshes,
                                              const Post& post) {
     const auto scene = run.scene(robot);
     if (!scene) return tl::unexpected(scene.error());
@@ -43,7 +43,7 @@ tl::expected<Json, engine::Error> post_scene(const Run& run, std::size_t robot, 
     return reported;
 }
 
-void post_columns(const engine::SegmentColumns& columns, std::size_t robot, const Post& post) {
+void send_columns(const engine::SegmentColumns& columns, std::size_t robot, const Post& post) {
     Message message("segments");
     message.header()["robot"] = robot;
     message.header()["first"] = columns.first;
@@ -66,7 +66,7 @@ void post_columns(const engine::SegmentColumns& columns, std::size_t robot, cons
 
 }  // namespace
 
-void post_diagnostic(const engine::Diagnostic& reported, const Post& post) {
+void send_diagnostic(const engine::Diagnostic& reported, const Post& post) {
     Message message("told");
     message.header().update({{"severity", severity_name(reported.severity)},
                              {"code", reported.code},
@@ -79,29 +79,29 @@ void post_diagnostic(const engine::Diagnostic& reported, const Post& post) {
     post(message.bytes());
 }
 
-VoidResult post_run(Run& run, RunSeries& series, const Post& post) {
+VoidResult send_run(Run& run, RunSeries& series, const Post& post) {
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
-        const auto scene = post_scene(run, robot, Meshes::with, post);
+        const auto scene = send_scene(run, robot, Meshes::with, post);
         if (!scene) return tl::unexpected(scene.error());
         series.add_run(run, robot, *scene);
         run.on_columns(
-            [robot, &post](const engine::SegmentColumns& columns) { post_columns(columns, robot, post); },
+            [robot, &post](const engine::SegmentColumns& columns) { send_columns(columns, robot, post); },
             robot);
     }
     return {};
 }
 
-VoidResult post_end(const Run& run, const RunSeries& series, const engine::Report& report, const Post& post) {
+VoidResult send_end(const Run& run, const RunSeries& series, const engine::Report& report, const Post& post) {
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
-        const auto scene = post_scene(run, robot, Meshes::without, post);
+        const auto scene = send_scene(run, robot, Meshes::without, post);
         if (!scene) return tl::unexpected(scene.error());
     }
     series.post(post);
-    post_report(report, post);
+    send_report(report, post);
     return {};
 }
 
-void post_report(const engine::Report& report, const Post& post) {
+void send_report(const engine::Report& report, const Post& post) {
     Message message("report");
     message.header()["report"] = text::parse_json<nlohmann::ordered_json>(report.json());
     message.header()["text"] = report.text();

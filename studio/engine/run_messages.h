@@ -15,17 +15,17 @@ class RunSeries;
 using Post = std::function<void(const std::string& bytes)>;
 
 /// Sends a diagnostic of an input or a run.
-void post_diagnostic(const engine::Diagnostic& reported, const Post& post);
+void send_diagnostic(const engine::Diagnostic& reported, const Post& post);
 
 /// Sends the scene between prepare() and go(), and all motion from then on. `series`, still empty, and `post`
 /// must outlive the run. The error: a lack of memory.
-tl::expected<void, engine::Error> post_run(engine::Run& run, RunSeries& series, const Post& post);
+tl::expected<void, engine::Error> send_run(engine::Run& run, RunSeries& series, const Post& post);
 
 /// Sends the final data after go(): frames and tools, curves over time, and the report.
-tl::expected<void, engine::Error> post_end(const engine::Run& run, const RunSeries& series,
+tl::expected<void, engine::Error> send_end(const engine::Run& run, const RunSeries& series,
                                            const engine::Report& report, const Post& post);
 
 /// Sends the report alone: for a program with errors.
-void post_report(const engine::Report& report, const Post& post);
+void send_report(const engine::Report& report, const Post& post);
 
 }  // namespace gsim::studio

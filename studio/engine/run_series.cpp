@@ -26,7 +26,7 @@ Json channel(const char* of, std::size_t axis) {
 }
 
 /// Returns axes with a motor that delivers less at some speeds than at others.
-std::vector<std::size_t> fading_motors(const Json& axes) {
+std::vector<std::size_t> axes_with_speed_dependent_motors(const Json& axes) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         if (axes[i].at("motor_fades").get<bool>()) found.push_back(i);
@@ -58,21 +58,23 @@ void RunSeries::add_run(engine::Run& run, std::size_t robot, const Json& scene) 
 
 void RunSeries::on_efforts(engine::Run& run, std::size_t robot, const Json& axes) {
     const std::size_t count = axes.size();
-    const std::vector<std::size_t> faded_axes = fading_motors(axes);
+    const std::vector<std::size_t> speed_dependent_axes = axes_with_speed_dependent_motors(axes);
     Json channels = Json::array({channel("power")});
     for (std::size_t i = 0; i < count; ++i) channels.push_back(channel("effort", i));
-    for (const std::size_t axis : faded_axes) channels.push_back(channel("motor_peak", axis));
-    for (const std::size_t axis : faded_axes) channels.push_back(channel("share", axis));
+    for (const std::size_t axis : speed_dependent_axes) channels.push_back(channel("motor_peak", axis));
+    for (const std::size_t axis : speed_dependent_axes) channels.push_back(channel("share", axis));
     Series& series = add("efforts", robot, channels);
     std::vector<float> values;
-    const auto add_run = [&series, faded_axes, count, values](const engine::EffortColumns& columns) mutable {
+    const auto add_run = [&series, speed_dependent_axes, count,
+                          values](const engine::EffortColumns& columns) mutable {
         for (std::size_t i = 0; i < columns.t_s.size(); ++i) {
             const auto efforts = row(columns.efforts, count, i);
             const auto peaks = row(columns.motor_peaks, count, i);
             values.assign({columns.power_w[i]});
             values.insert(values.end(), efforts.begin(), efforts.end());
-            for (const std::size_t axis : faded_axes) values.push_back(peaks[axis]);
-            for (const std::size_t axis : faded_axes) values.push_back(share(efforts[axis], peaks[axis]));
+            for (const std::size_t axis : speed_dependent_axes) values.push_back(peaks[axis]);
+            for (const std::size_t axis : speed_dependent_axes)
+                values.push_back(share(efforts[axis], peaks[axis]));
             series.add(columns.t_s[i], values);
         }
     };

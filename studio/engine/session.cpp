@@ -17,7 +17,6 @@ namespace gsim::studio {
 
 namespace {
 
-using engine::Error;
 using nlohmann::json;
 
 /// Common keys of a request in addition to its specific ones: all of a run, or those that forms need.
@@ -48,17 +47,16 @@ constexpr std::array kRequestTypes = {
     RequestType{"posts", CommonKeys::form_keys, handle_posts},
 };
 
-Error check_word(const json& word) {
-    if (word.is_string())
-        return usage_error(fmt::format("nothing is known of how to do '{}'", word.get<std::string>()));
+engine::Error check_word(const json& word) {
+    if (word.is_string()) return usage_error(fmt::format("unknown request '{}'", word.get<std::string>()));
     std::string words;
     for (const RequestType& row : kRequestTypes)
         words += fmt::format("{}{}", words.empty() ? "" : ", ", row.word);
-    return usage_error(fmt::format("'do' should be a text, one of {}", words));
+    return usage_error(fmt::format("'do' must be a string, one of {}", words));
 }
 
 VoidResult handle(json request_json, const engine::Host& host, const Post& post) {
-    if (!request_json.is_object()) return tl::unexpected(usage_error("a request should be an object"));
+    if (!request_json.is_object()) return tl::unexpected(usage_error("a request must be an object"));
     const json word = request_json.value("do", json());
     const auto* const row = std::find_if(kRequestTypes.begin(), kRequestTypes.end(),
                                          [&](const RequestType& each) { return word == each.word; });
@@ -66,7 +64,7 @@ VoidResult handle(json request_json, const engine::Host& host, const Post& post)
     request_json.erase("do");
     auto request =
         row->common_keys == CommonKeys::run_keys ? run_request(request_json) : form_request(request_json);
-    if (!request) return tl::unexpected(usage_error(request.error()));
+    if (!request) return tl::unexpected(usage_error(request.error().message));
     request->host = host;
     return row->handle(request_json, *request, post);
 }
@@ -100,24 +98,24 @@ VoidResult guard_exceptions(const Work& work) {
     try {
         return work();
     } catch (const std::exception& error) {
-        return tl::unexpected(Error{.code = "internal", .message = error.what()});
+        return tl::unexpected(engine::Error{.code = "internal", .message = error.what()});
     }
 }
 
 }  // namespace
 
-Error usage_error(std::string message) {
+engine::Error usage_error(std::string message) {
     return {.code = "usage", .message = std::move(message)};
 }
 
 VoidResult finish_keys(KeyReader& keys) {
-    return keys.end().map_error(usage_error);
+    return keys.end().map_error([](const gsim::Error& error) { return usage_error(error.message); });
 }
 
 void handle_request(std::string_view request_json, const engine::Host& host, const Post& post) {
     end(guard_exceptions([&]() -> VoidResult {
             auto read = text::try_parse_json<json>(request_json);
-            if (read.is_discarded()) return tl::unexpected(usage_error("a request should be JSON"));
+            if (read.is_discarded()) return tl::unexpected(usage_error("a request must be JSON"));
             return handle(std::move(read), host, post);
         }),
         post);

@@ -19,7 +19,7 @@ EM_JS(char*, studio_read, (const char* name, double* size), {
     return place;
 });
 
-EM_JS(void, studio_post, (const char* bytes, double size),
+EM_JS(void, studio_send_message, (const char* bytes, double size),
       { Module["post"](HEAPU8.slice(bytes >>> 0, (bytes >>> 0) + size)); });
 
 namespace {
@@ -39,6 +39,6 @@ extern "C" EMSCRIPTEN_KEEPALIVE void gsim_studio_serve(const char* request_json)
     gsim::engine::Host host;
     host.files = gsim::engine::Files::given(read_file);
     gsim::studio::handle_request(request_json, host, [](const std::string& bytes) {
-        studio_post(bytes.data(), static_cast<double>(bytes.size()));
+        studio_send_message(bytes.data(), static_cast<double>(bytes.size()));
     });
 }

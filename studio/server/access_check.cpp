@@ -27,8 +27,8 @@ bool equal_in_constant_time(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-Refusal too_large() {
-    return {413, fmt::format("a request has {} MiB at most", kLargestBody >> 20U)};
+RequestError too_large() {
+    return {{fmt::format("a request may have at most {} MiB", kMaxBodyBytes >> 20U)}, 413};
 }
 
 std::uint64_t declared_body_bytes(const httplib::Request& request) {
@@ -49,31 +49,33 @@ bool AccessCheck::has_token(const std::string& path) const {
     return end != std::string::npos && equal_in_constant_time(path.substr(1, end - 1), token_);
 }
 
-std::optional<Refusal> AccessCheck::reject(const httplib::Request& request) const {
+std::optional<RequestError> AccessCheck::reject(const httplib::Request& request) const {
     if (std::find(kMethods.begin(), kMethods.end(), request.method) == kMethods.end())
-        return Refusal{405, fmt::format("there is no method {} here", request.method)};
-    if (request.target.size() > kMaxTargetLength) return Refusal{414, "the address is too long"};
+        return RequestError{{fmt::format("the method {} is not supported", request.method)}, 405};
+    if (request.target.size() > kMaxTargetLength) return RequestError{{"the address is too long"}, 414};
     if (request.get_header_value_count("Host") != 1 || !is_this_server(request.get_header_value("Host")))
-        return Refusal{403, fmt::format("the host '{}' is another one", request.get_header_value("Host"))};
-    if (!has_token(request.path)) return Refusal{403, "the address has not the token of this run"};
+        return RequestError{
+            {fmt::format("the host '{}' is not this server", request.get_header_value("Host"))}, 403};
+    if (!has_token(request.path))
+        return RequestError{{"the address does not contain the token of this run"}, 403};
     // Users may open the page from anywhere: by a click, from a file.
     const bool is_page_request = request.method == "GET" && request.path == "/" + token_ + "/";
     if (const std::string origin = request.get_header_value("Origin"); request.has_header("Origin")) {
         constexpr std::string_view kScheme = "http://";
         if (origin.rfind(kScheme, 0) != 0 || !is_this_server(origin.substr(kScheme.size())))
-            return Refusal{403, fmt::format("the origin '{}' is another one", origin)};
+            return RequestError{{fmt::format("the origin '{}' is not this server", origin)}, 403};
     }
     const std::string site = request.get_header_value("Sec-Fetch-Site");
     if (!is_page_request && !site.empty() && site != "same-origin" && site != "none")
-        return Refusal{403, fmt::format("a page of another site asks ('{}')", site)};
-    if (declared_body_bytes(request) > kLargestBody) return too_large();
+        return RequestError{{fmt::format("the request comes from a page of another site ('{}')", site)}, 403};
+    if (declared_body_bytes(request) > kMaxBodyBytes) return too_large();
     return std::nullopt;
 }
 
 std::string random_token() {
     std::array<std::uint8_t, kTokenBytes> bytes{};
     if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-        throw std::system_error(errno, std::generic_category(), "no random numbers");
+        throw std::system_error(errno, std::generic_category(), "random numbers are not available");
     std::string text;
     for (const std::uint8_t byte : bytes) text += fmt::format("{:02x}", byte);
     return text;

@@ -7,19 +7,20 @@
 
 #include <httplib.h>
 
+#include "base/error.h"
+
 namespace gsim::studio {
 
-/// Reason why a request is rejected.
-struct Refusal {
-    int status = 403;
-    std::string message;  ///< For the requester and the log; without the token.
+/// Reason why a request is rejected. The message is for the requester and the log; it is without the token.
+struct RequestError : Error {
+    int status = 403;  ///< Status of HTTP.
 };
 
 /// Max size of a request's body.
-constexpr std::size_t kLargestBody = std::size_t{512} << 20U;
+constexpr std::size_t kMaxBodyBytes = std::size_t{512} << 20U;
 
 /// Returns the reason why larger bodies are rejected.
-Refusal too_large();
+RequestError too_large();
 
 /// Returns the length of the body that a head announces; 0: none. A length that is no number is 0, a negative
 /// one huge.
@@ -35,7 +36,7 @@ class AccessCheck {
     AccessCheck(int port, std::string token);
 
     /// Returns no value if a request is for the page, or one of the page's requests.
-    std::optional<Refusal> reject(const httplib::Request& request) const;
+    std::optional<RequestError> reject(const httplib::Request& request) const;
     const std::string& token() const { return token_; }
 
   private:

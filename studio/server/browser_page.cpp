@@ -51,12 +51,12 @@ std::optional<BrowserPage> BrowserPage::open(const std::string& address) {
     const os::Descriptor file(
         ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
     if (file.number() < 0) {
-        print_system_error("no page for the browser can be made", errno);
+        print_system_error("the page for the browser cannot be created", errno);
         return std::nullopt;
     }
     os::TemporaryName page(std::move(temporary_path));
     if (!write_redirect(file.number(), address)) {
-        print_system_error("no page for the browser can be made", errno);
+        print_system_error("the page for the browser cannot be created", errno);
         return std::nullopt;
     }
     os::SpawnActions actions;
@@ -64,7 +64,7 @@ std::optional<BrowserPage> BrowserPage::open(const std::string& address) {
     actions.redirect(STDERR_FILENO, STDOUT_FILENO);  // standard output has the address alone
     // A separate process group: Ctrl+C in the terminal ends this server, but not the user's browser.
     if (const auto begun = os::spawn({"xdg-open", name}, actions, os::ProcessGroup::separate); !begun) {
-        print_system_error("xdg-open cannot be begun", begun.error());
+        print_system_error("xdg-open cannot be started", begun.error());
         return std::nullopt;
     }
     return BrowserPage(std::move(page));

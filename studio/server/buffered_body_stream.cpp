@@ -7,7 +7,7 @@ namespace gsim::studio {
 
 namespace {
 
-constexpr std::size_t kThrownAway = std::size_t{16} << 10U;
+constexpr std::size_t kDiscardBufferSize = std::size_t{16} << 10U;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ ssize_t BufferedBodyStream::read(char* bytes, std::size_t size) {
 }
 
 ssize_t BufferedBodyStream::write(const char* bytes, std::size_t size) {
-    std::array<char, kThrownAway> sink_buffer{};
+    std::array<char, kDiscardBufferSize> sink_buffer{};
     while (remaining_ > 0) read(sink_buffer.data(), std::min<std::uint64_t>(remaining_, sink_buffer.size()));
     return stream_.write(bytes, size);
 }

@@ -20,24 +20,24 @@ constexpr std::chrono::milliseconds kMinIdleTime{500};
 
 Connections::Entry::Entry(Connections& all, int socket) : all_(all) {
     const std::lock_guard lock(all_.mutex_);
-    place_ = all_.pending_.insert(all_.pending_.end(), {socket, std::chrono::steady_clock::now()});
+    entry_position_ = all_.pending_.insert(all_.pending_.end(), {socket, std::chrono::steady_clock::now()});
 }
 
 Connections::Entry::~Entry() {
     const std::lock_guard lock(all_.mutex_);
-    (accepted_ ? all_.accepted_ : all_.pending_).erase(place_);
+    (accepted_ ? all_.accepted_ : all_.pending_).erase(entry_position_);
 }
 
 void Connections::Entry::accept_request() {
     const std::lock_guard lock(all_.mutex_);
-    all_.accepted_.splice(all_.accepted_.end(), all_.pending_, place_);
+    all_.accepted_.splice(all_.accepted_.end(), all_.pending_, entry_position_);
     accepted_ = true;
 }
 
 void Connections::Entry::finish() {
     const std::lock_guard lock(all_.mutex_);
-    place_->since = std::chrono::steady_clock::now();
-    all_.pending_.splice(all_.pending_.end(), accepted_ ? all_.accepted_ : all_.pending_, place_);
+    entry_position_->since = std::chrono::steady_clock::now();
+    all_.pending_.splice(all_.pending_.end(), accepted_ ? all_.accepted_ : all_.pending_, entry_position_);
     accepted_ = false;
 }
 
@@ -50,7 +50,7 @@ void Connections::close_idle() {
     }
 }
 
-bool Connections::make_room() {
+bool Connections::wait_for_capacity() {
     std::unique_lock lock(mutex_);
     while (count_ >= max_connections_ && !ended_) {
         close_idle();
@@ -80,7 +80,7 @@ void Connections::end() {
 }
 
 void ConnectionThreads::enqueue(std::function<void()> task) {
-    connections_.make_room();
+    connections_.wait_for_capacity();
     connections_.on_open();
     try {
         std::thread([this, task] {

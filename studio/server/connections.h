@@ -37,12 +37,12 @@ class Connections {
 
       private:
         Connections& all_;
-        std::list<Waiting>::iterator place_;
+        std::list<Waiting>::iterator entry_position_;
         bool accepted_ = false;
     };
 
     /// Waits until a further connection fits. False: end() has been called.
-    bool make_room();
+    bool wait_for_capacity();
     /// Counts a further connection; each needs gone() at its end.
     void on_open();
     void on_close();

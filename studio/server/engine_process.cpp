@@ -42,12 +42,12 @@ tl::expected<os::Descriptor, int> text_file(std::string_view text) {
 
 }  // namespace
 
-tl::expected<EngineProcess, std::string> EngineProcess::begin(const std::vector<std::string>& command,
-                                                              std::string_view request_text, int kept) {
+Result<EngineProcess> EngineProcess::begin(const std::vector<std::string>& command,
+                                           std::string_view request_text, int kept) {
     const auto input = text_file(request_text);
     std::array<int, 2> ends{};
     if (!input || ::pipe2(ends.data(), O_CLOEXEC) != 0)
-        return tl::unexpected("the engine cannot be begun: " + reason(input ? errno : input.error()));
+        return Unexpected("the engine cannot be started: " + reason(input ? errno : input.error()));
     os::Descriptor output(ends[0]);
     const os::Descriptor child_end(ends[1]);
     os::SpawnActions actions;
@@ -55,7 +55,7 @@ tl::expected<EngineProcess, std::string> EngineProcess::begin(const std::vector<
     actions.redirect(child_end.number(), STDOUT_FILENO);
     if (kept >= 0) actions.redirect(kept, kFileDescriptor);
     const auto child = os::spawn(command, actions);
-    if (!child) return tl::unexpected("the engine cannot be begun: " + reason(child.error()));
+    if (!child) return Unexpected("the engine cannot be started: " + reason(child.error()));
     return EngineProcess(*child, std::move(output));
 }
 
@@ -82,8 +82,8 @@ std::optional<std::string> EngineProcess::read(int timeout_ms) {
 
 std::string EngineProcess::error() {
     const auto status = os::wait_for(std::exchange(child_, -1));
-    if (!status) return "the engine was lost: " + reason(status.error());
-    if (WIFSIGNALED(*status)) return fmt::format("the engine was ended by signal {}", WTERMSIG(*status));
+    if (!status) return "the connection to the engine was lost: " + reason(status.error());
+    if (WIFSIGNALED(*status)) return fmt::format("the engine was terminated by signal {}", WTERMSIG(*status));
     if (WEXITSTATUS(*status) == 0) return {};
     return fmt::format("the engine ended with status {}", WEXITSTATUS(*status));
 }

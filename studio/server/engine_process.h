@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <sys/types.h>
-#include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "base/os/descriptor.h"
 
 namespace gsim::studio {
@@ -17,10 +17,9 @@ namespace gsim::studio {
 class EngineProcess {
   public:
     /// Starts `command`, which reads the request from its standard input, and writes messages
-    /// (docs/studio.md) to its standard output. `kept`: a file that it gets as descriptor 3; -1: none. The
-    /// error is a message.
-    static tl::expected<EngineProcess, std::string> begin(const std::vector<std::string>& command,
-                                                          std::string_view request_text, int kept = -1);
+    /// (docs/studio.md) to its standard output. `kept`: a file that it gets as descriptor 3; -1: none.
+    static Result<EngineProcess> begin(const std::vector<std::string>& command, std::string_view request_text,
+                                       int kept = -1);
     static constexpr int kFileDescriptor = 3;
     EngineProcess(EngineProcess&& other) noexcept;
     EngineProcess& operator=(EngineProcess&&) = delete;

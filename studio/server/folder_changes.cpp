@@ -11,7 +11,7 @@ FolderChangesResult FolderChanges::since(std::optional<std::uint64_t> at) {
     scan_if_due();
     const std::lock_guard lock(mutex_);
     FolderChangesResult response{
-        .at = at_, .is_incomplete = !at || *at < oldest_known_ || *at > at_, .changes = {}};
+        .at = at_, .is_incomplete = !at || *at < oldest_known_change_ || *at > at_, .changes = {}};
     if (response.is_incomplete || *at == at_) return response;
     for (const auto& [name, state] : files_) {
         if (state.at > *at) response.changes.push_back({name, state.tag});
@@ -84,7 +84,7 @@ void FolderChanges::forget_deleted() {
     for (auto each = files_.begin(); each != files_.end();)
         each = each->second.tag ? std::next(each) : files_.erase(each);
     deleted_count_ = 0;
-    oldest_known_ = at_;
+    oldest_known_change_ = at_;
 }
 
 }  // namespace gsim::studio

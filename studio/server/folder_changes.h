@@ -64,8 +64,8 @@ class FolderChanges {
     std::mutex scan_mutex_;  // held during a walk
     std::mutex mutex_;       // of what follows
     Clock::time_point next_walk_time_;
-    std::uint64_t at_ = 0;            // the last walk that found changes; 0: none yet
-    std::uint64_t oldest_known_ = 1;  // since when no file that is gone was forgotten
+    std::uint64_t at_ = 0;                   // the last walk that found changes; 0: none yet
+    std::uint64_t oldest_known_change_ = 1;  // since when no file that is gone was forgotten
     std::map<std::string, State> files_;
     std::size_t deleted_count_ = 0;
 };

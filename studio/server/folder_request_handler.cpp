@@ -19,7 +19,7 @@ using os::ContentTag;
 using os::DirectoryError;
 
 constexpr std::size_t kMaxFiles = ScanLimits{}.max_files;
-constexpr std::size_t kMaxFileBytes = kLargestBody;
+constexpr std::size_t kMaxFileBytes = kMaxBodyBytes;
 
 constexpr int kNotFound = 404;
 constexpr int kForbidden = 403;
@@ -86,7 +86,7 @@ void FolderRequestHandler::write(const std::string& name, const httplib::Request
     const auto before = required_version(request);
     if (!before)
         return respond_error(response, kPreconditionRequired,
-                             "which version is replaced should stand in If-Match, or * in If-None-Match");
+                             "If-Match must contain the version to replace, or If-None-Match must be *");
     std::size_t size = 0;
     const auto written = folder_.write(name, *before, [&](const os::RootedDirectory::WriteChunk& chunk) {
         return content([&](const char* bytes, std::size_t count) {

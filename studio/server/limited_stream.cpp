@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::size_t kReceived = std::size_t{64} << 10U;
+constexpr std::size_t kReceiveBufferSize = std::size_t{64} << 10U;
 
 /// Returns the subset of `events` for which the socket is ready, or 0 after that time; -1: an error.
 short wait_for(int socket, short events, milliseconds max_wait) {
@@ -58,7 +58,7 @@ ssize_t LimitedStream::fill_buffer() {
     const milliseconds remaining = (has_head() ? limits_.body : limits_.head) - elapsed;
     if (remaining.count() <= 0) return -1;
     if ((wait_for(socket_, POLLIN, std::min(remaining, limits_.pause)) & (POLLIN | POLLHUP)) == 0) return -1;
-    buffer_.resize(kReceived);
+    buffer_.resize(kReceiveBufferSize);
     ssize_t bytes_read = 0;
     do {
         bytes_read = ::recv(socket_, buffer_.data(), buffer_.size(), 0);

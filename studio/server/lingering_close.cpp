@@ -13,13 +13,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr std::size_t kTakenIn = std::size_t{64} << 10U;
+constexpr std::size_t kLingeringBufferSize = std::size_t{64} << 10U;
 
 }  // namespace
 
 void lingering_close(int socket, const CloseLimits& bounds) {
     ::shutdown(socket, SHUT_WR);
-    std::array<char, kTakenIn> bytes{};
+    std::array<char, kLingeringBufferSize> bytes{};
     const auto end = Clock::now() + bounds.time;
     for (std::size_t total_bytes = 0; total_bytes < bounds.bytes;) {
         const auto remaining =

@@ -53,7 +53,7 @@ void serve_until_signal(StudioServer& server) {
     signal_thread.join();
 }
 
-tl::expected<ServerContent, std::string> read_server_content(const nlohmann::ordered_json& page_data) {
+Result<ServerContent> read_server_content(const nlohmann::ordered_json& page_data) {
     auto folder = os::RootedDirectory::open(page_data.at("folder").get<std::string>());
     if (!folder) return tl::unexpected(folder.error());
     auto page =
@@ -68,16 +68,16 @@ tl::expected<ServerContent, std::string> read_server_content(const nlohmann::ord
 
 int run(const std::string& argument) {
     const auto page_data = text::try_parse_json<nlohmann::ordered_json>(argument);
-    if (!page_data.is_object()) return reject("gsim-serve is not made to be called; gsim studio calls it");
+    if (!page_data.is_object()) return reject("gsim-serve cannot be run directly; gsim studio starts it");
     auto server_content = read_server_content(page_data);
-    if (!server_content) return reject(server_content.error());
+    if (!server_content) return reject(server_content.error().message);
     const sigset_t signals = termination_signals();
     ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads, so that one waits for them
     std::signal(SIGPIPE, SIG_IGN);
     StudioServer server(*std::move(server_content));
     const int port = page_data.at("port").get<int>();
     if (server.bind(port) < 0)
-        return reject(fmt::format("port {} of this machine is taken; --port 0 takes one that is free", port));
+        return reject(fmt::format("port {} of this machine is in use; --port 0 selects a free port", port));
     std::printf("%s\n", server.address().c_str());
     std::fflush(stdout);
     const std::optional<BrowserPage> page =

@@ -37,11 +37,11 @@ bool read_all(int file, char* bytes, std::size_t size, std::uint64_t at) {
 
 }  // namespace
 
-tl::expected<std::shared_ptr<StoredRun>, std::string> StoredRun::make() {
+Result<std::shared_ptr<StoredRun>> StoredRun::make() {
     const char* const folder = large_temporary_folder();
     os::Descriptor file(::open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
     if (file.number() < 0)
-        return tl::unexpected(std::string("the run cannot be kept in '") + folder +
+        return tl::unexpected(std::string("the run cannot be stored in '") + folder +
                               "': " + std::generic_category().message(errno));
     return std::make_shared<StoredRun>(std::move(file));
 }
@@ -62,7 +62,7 @@ std::optional<std::string> StoredRun::message(std::size_t index) {
     return bytes;
 }
 
-tl::expected<std::shared_ptr<StoredRun>, std::string> StoredRuns::add(const std::string& name) {
+Result<std::shared_ptr<StoredRun>> StoredRuns::add(const std::string& name) {
     auto run = StoredRun::make();
     if (!run) return run;
     const std::lock_guard lock(mutex_);

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/descriptor.h"
 
 namespace gsim::studio {
@@ -18,8 +17,8 @@ namespace gsim::studio {
 /// They may be read while the engine still adds some.
 class StoredRun {
   public:
-    /// Creates the file. The error is a message.
-    static tl::expected<std::shared_ptr<StoredRun>, std::string> make();
+    /// Creates the file.
+    static Result<std::shared_ptr<StoredRun>> make();
     explicit StoredRun(os::Descriptor file) : file_(std::move(file)) {}
 
     /// Returns the descriptor for the writer.
@@ -37,7 +36,7 @@ class StoredRun {
 class StoredRuns {
   public:
     /// Adds a new run; the oldest is removed if many exist.
-    tl::expected<std::shared_ptr<StoredRun>, std::string> add(const std::string& name);
+    Result<std::shared_ptr<StoredRun>> add(const std::string& name);
     /// Returns null if the run has been removed.
     std::shared_ptr<StoredRun> find(const std::string& name);
     /// Removes the run, whatever its name is.

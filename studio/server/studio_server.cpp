@@ -87,7 +87,7 @@ StudioServer::StudioServer(ServerContent server_content)
       rejection_log_(server_content_.log),
       connections_(kMaxConnections) {
     const std::size_t slot = server_content_.page.find(kServerPlaceholder);
-    if (slot == std::string::npos) throw std::invalid_argument("the page has no place for its server");
+    if (slot == std::string::npos) throw std::invalid_argument("the page has no placeholder for its server");
     page_ =
         server_content_.page.replace(slot, kServerPlaceholder.size(), inline_json(server_content_.page_data));
     set_keep_alive_max_count(1);
@@ -168,16 +168,16 @@ void StudioServer::add_routes() {
     Post("[^]*", reject_body);
     Put("[^]*", reject_body);
     set_error_handler([this](const httplib::Request& request, httplib::Response& response) {
-        if (response.body.empty()) respond_error(response, response.status, "there is nothing of this name");
+        if (response.body.empty()) respond_error(response, response.status, "not found");
         const bool is_expected_status =
             response.status == 404 || response.status == 412;              // a page requests a removed file
         if (is_expected_status || access_check_->reject(request)) return;  // the latter is already logged
-        write_log(fmt::format("refused {} ({}): {}", request.method, response.status, response.body));
+        write_log(fmt::format("rejected {} ({}): {}", request.method, response.status, response.body));
     });
     set_exception_handler(
         [this](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) {
-            respond_error(response, 500, "the server could not do it");
-            write_log("could not answer a request");
+            respond_error(response, 500, "internal server error");
+            write_log("could not handle a request");
         });
 }
 
@@ -191,9 +191,9 @@ void StudioServer::write_log(const std::string& page_data) {
 }
 
 void StudioServer::reject(const httplib::Request& request, httplib::Response& response,
-                          const Refusal& rejection) {
+                          const RequestError& rejection) {
     respond_error(response, rejection.status, rejection.message);
-    write_log(fmt::format("refused {} from {}:{}: {}", request.method, request.remote_addr,
+    write_log(fmt::format("rejected {} from {}:{}: {}", request.method, request.remote_addr,
                           request.remote_port, rejection.message));
 }
 
@@ -201,29 +201,28 @@ void StudioServer::ask(const httplib::Request& request, httplib::Response& respo
                        const httplib::ContentReader& content) {
     const auto counted = std::make_shared<CountedRequest>(requests_);
     if (counted->number() > kMaxEngineRequests)
-        return respond_error(response, 503, "the engine is at work on too much already");
+        return respond_error(response, 503, "the engine is busy with too many requests");
     std::string request_body;
     const bool has_full_body = content([&](const char* bytes, std::size_t count) {
         request_body.append(bytes, count);
-        return request_body.size() <= kLargestBody;
+        return request_body.size() <= kMaxBodyBytes;
     });
-    if (request_body.size() > kLargestBody) {
-        const Refusal rejection = too_large();
+    if (request_body.size() > kMaxBodyBytes) {
+        const RequestError rejection = too_large();
         return respond_error(response, rejection.status, rejection.message);
     }
-    if (!has_full_body) return respond_error(response, 400, "the request ended too soon");
-    if (!nlohmann::json::accept(request_body))
-        return respond_error(response, 400, "a request should be JSON");
+    if (!has_full_body) return respond_error(response, 400, "the request ended prematurely");
+    if (!nlohmann::json::accept(request_body)) return respond_error(response, 400, "a request must be JSON");
     std::vector<std::string> command = server_content_.engine;
     std::shared_ptr<StoredRun> kept;
     if (const std::string name = request.get_header_value("Run"); !name.empty()) {
-        auto kept_run = kept_.add(name);
-        if (!kept_run) return respond_error(response, 507, kept_run.error());
-        kept = *kept_run;
+        auto added_run = kept_.add(name);
+        if (!added_run) return respond_error(response, 507, added_run.error().message);
+        kept = *added_run;
         command.insert(command.end(), {"--keep-behind", request.get_header_value("Whole")});
     }
     auto begun = EngineProcess::begin(command, request_body, kept ? kept->number() : -1);
-    if (!begun) return respond_error(response, 500, begun.error());
+    if (!begun) return respond_error(response, 500, begun.error().message);
     const auto process = std::make_shared<EngineProcess>(*std::move(begun));
     const auto is_complete = std::make_shared<bool>(false);
     response.set_chunked_content_provider(
@@ -250,7 +249,8 @@ void StudioServer::read_stored_message(const std::string& run, const std::string
                                        httplib::Response& response) {
     const auto kept = kept_.find(run);
     const auto message = kept ? kept->message(std::stoul(index)) : std::nullopt;
-    if (!message) return respond_error(response, 404, "the run is kept no more, or has no such part");
+    if (!message)
+        return respond_error(response, 404, "the run is no longer stored, or does not have this part");
     response.set_content(*message, "application/octet-stream");
 }
 
@@ -273,7 +273,7 @@ bool StudioServer::process_and_close_socket(socket_t socket) {
     try {
         handle_connection(socket);
     } catch (const std::exception& error) {
-        write_log(fmt::format("could not answer a request: {}", error.what()));
+        write_log(fmt::format("could not handle a request: {}", error.what()));
     }
     ::close(socket);
     return true;
@@ -285,7 +285,7 @@ void StudioServer::handle_connection(socket_t socket) {
     handle_stream(stream, [&entry] { entry.accept_request(); });
     entry.finish();
     if (stream.has_head()) return lingering_close(socket);
-    write_log("ended a connection without a whole request");
+    write_log("closed a connection without a complete request");
     lingering_close(socket, kCloseLimitsWithoutHead);
 }
 

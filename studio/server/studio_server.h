@@ -53,7 +53,7 @@ class StudioServer final : private httplib::Server {
     void read_stored_message(const std::string& run, const std::string& index, httplib::Response& response);
     void add_routes();
     void write_log(const std::string& page_data);
-    void reject(const httplib::Request& request, httplib::Response& response, const Refusal& rejection);
+    void reject(const httplib::Request& request, httplib::Response& response, const RequestError& rejection);
 
     ServerContent server_content_;
     FolderRequestHandler folder_;

@@ -1,16 +1,16 @@
 // Builds a page, either for work or to view a run.
 
 import "./style.css";
+import { AnimationFrames } from "./core/animation_frames";
+import { loadVisiblePart } from "./core/chunk_loading";
 import { Documents } from "./core/documents";
 import type { Engine } from "./core/engine";
-import { loadVisiblePart } from "./core/fetching";
 import type { Folder } from "./core/folder";
-import { Frames } from "./core/frames";
 import { Session } from "./core/session";
 import { Store, initialState } from "./core/store";
 import { createCode } from "./code";
 import { embedded } from "./embedded";
-import { createTime } from "./time";
+import { createTimePanel } from "./time";
 import { createView, type ViewParts } from "./view";
 
 /** Differences between the two pages. */
@@ -42,12 +42,12 @@ export async function start(kind: PageKind): Promise<void> {
   const session = new Session(store, documents, createEngine(), createEngine());
   const folder = kind.openFolder(session);
   const host = (id: string) => document.getElementById(id)!;
-  const frames = new Frames();
+  const frames = new AnimationFrames();
   followTheme(store);
   loadVisiblePart(store);
   kind.createBar(host("bar"), store, session, folder);
   const view = createView(host("view"), store, session, frames, kind.viewParts);
-  createTime(host("time"), store, session, frames);
+  createTimePanel(host("time"), store, session, frames);
   createCode(host("code"), store, session);
   kind.createPanels(host("side"), store, session);
   await kind.begin(session, folder);

@@ -1,8 +1,8 @@
 // Initial contents of a page that gsim-studio serves: the requested files, or else a program of the folder.
 
 import { samples, sampleSetup } from "./bar/gallery";
+import { dialectOfName, namesOfKind } from "./core/file_kinds";
 import type { Folder } from "./core/folder";
-import { dialectOfName, namesOfKind } from "./core/kinds";
 import type { Session } from "./core/session";
 import { emptySetup } from "./core/setup";
 import type { ServedFolder } from "./embedded";
@@ -17,11 +17,11 @@ function firstProgram({ documents }: Session, folder: Folder): string {
 
 export async function openServedFolder(session: Session, folder: Folder, { name, setup }: ServedFolder): Promise<void> {
   document.title = texts.folder.title(name);
-  session.versionsBy(() => folder.versions());
+  session.setVersionSource(() => folder.versions());
   try {
     await folder.open();
-  } catch (fault) {
-    session.store.set("notice", texts.folder.unread(name, String(fault)));
+  } catch (error) {
+    session.store.set("notice", texts.folder.unread(name, String(error)));
   }
   const program = setup.program || firstProgram(session, folder);
   const given = Object.fromEntries(Object.entries({ ...setup, program }).filter(([, value]) => value !== ""));

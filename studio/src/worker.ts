@@ -43,9 +43,9 @@ async function handleRequest(ask: EngineRequest): Promise<void> {
 }
 
 /** Reports a fatal error of the engine as an error of the worker: the page starts another one. */
-function fail(fault: unknown): void {
+function fail(error: unknown): void {
   setTimeout(() => {
-    throw fault;
+    throw error;
   });
 }
 

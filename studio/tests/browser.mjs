@@ -32,7 +32,7 @@ export async function whatIsOpen() {
 /**
  * Opens a file, or an address, in a window that shares nothing with others: storage, caches, and, while it is
  * open, its browser. `before` runs in the page before its own code; errors in the page are stored in
- * `faults`.
+ * `errors`.
  */
 export async function openPage(file, { width = 1280, height = 800, dark = false, before } = {}) {
   const isAddress = file.startsWith("http:");
@@ -40,14 +40,14 @@ export async function openPage(file, { width = 1280, height = 800, dark = false,
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? "dark" : "light" });
   const page = await context.newPage();
   open.add(page);
-  const faults = [];
-  page.on("pageerror", (error) => faults.push(String(error)));
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(String(error)));
   page.on("console", (message) => {
-    if (message.type() === "error") faults.push(message.text());
+    if (message.type() === "error") errors.push(message.text());
   });
   page.on("request", (request) => {
     const isOwn = /^(file|blob|data):/.test(request.url()) || (isAddress && request.url().startsWith(file));
-    if (!isOwn) faults.push(`asked for ${request.url()}`);
+    if (!isOwn) errors.push(`asked for ${request.url()}`);
   });
   if (before) await page.addInitScript(before.script, before.argument);
   // Long timeout for a busy machine: the load time of a page is a topic of the benchmarks.
@@ -57,5 +57,5 @@ export async function openPage(file, { width = 1280, height = 800, dark = false,
     await context.close();
     idle.push(browser);
   };
-  return { page, faults, close };
+  return { page, errors, close };
 }

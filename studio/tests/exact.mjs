@@ -96,8 +96,8 @@ function* formRuns() {
 function written({ folder, args }, options) {
   try {
     execFileSync(gsimRun, [...args, "--quiet", ...options], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
-  } catch (fault) {
-    if (fault.status !== 1) throw new Error(String(fault.stderr));
+  } catch (error) {
+    if (error.status !== 1) throw new Error(String(error.stderr));
   }
 }
 
@@ -142,19 +142,19 @@ function compare(page, run, csv) {
     speedOff = Math.max(speedOff, speedDifference(robot.segments, values[0], values[values.length - 1]));
   }
   countForms(robot);
-  const faults = [];
-  if (!(worst <= TOLERANCE)) faults.push(`an axis is off by ${worst}`);
-  if (!(speedOff <= TOLERANCE)) faults.push(`the speed is off by ${speedOff}`);
-  if (letters.length !== robot.scene.axes.length) faults.push(`${letters.length} axes in the trajectory`);
+  const errors = [];
+  if (!(worst <= TOLERANCE)) errors.push(`an axis is off by ${worst}`);
+  if (!(speedOff <= TOLERANCE)) errors.push(`the speed is off by ${speedOff}`);
+  if (letters.length !== robot.scene.axes.length) errors.push(`${letters.length} axes in the trajectory`);
   for (const event of run.report.events ?? []) {
     if (event.line === null) continue;
-    const places = run.placesAt(0, event.t_s);
+    const places = run.locationsAt(0, event.t_s);
     if (!places.some((place) => place.line === event.line && place.file === event.file)) {
-      faults.push(`at ${event.t_s} s the line of '${event.kind}' should be ${event.line}, not ${JSON.stringify(places)}`);
+      errors.push(`at ${event.t_s} s the line of '${event.kind}' should be ${event.line}, not ${JSON.stringify(places)}`);
     }
   }
-  faults.push(...limitFaults(page, run));
-  return { worst, samples: lines.length, faults };
+  errors.push(...limitFaults(page, run));
+  return { worst, samples: lines.length, errors };
 }
 
 /** The time under each kind of limit as the page names it from the segments, against the report's words for it. */
@@ -191,11 +191,11 @@ try {
       const found = compare(page, readRun(page, readFileSync(html, "utf8")), readFileSync(csv, "utf8"));
       samples += found.samples;
       worst = Math.max(worst, found.worst);
-      if (found.faults.length > 0) throw new Error(found.faults.slice(0, 5).join("\n  "));
+      if (found.errors.length > 0) throw new Error(found.errors.slice(0, 5).join("\n  "));
       ++passed;
-    } catch (fault) {
+    } catch (error) {
       ++failed;
-      console.log(`FAILED gsim-run ${run.args.join(" ")}\n  ${fault.message}`);
+      console.log(`FAILED gsim-run ${run.args.join(" ")}\n  ${error.message}`);
     }
   }
 } finally {

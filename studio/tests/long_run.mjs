@@ -36,7 +36,7 @@ const run = (page) =>
       const now = performance.now();
       times.longest = Math.max(times.longest, now - last);
       last = now;
-      if (times.first === null && store.get("growing") && view.complete()) times.first = now - began;
+      if (times.first === null && store.get("partialRun") && view.complete()) times.first = now - began;
       if (times.end && view.complete()) times.whole = now - began;
     }
     await running;

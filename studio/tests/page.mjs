@@ -45,9 +45,9 @@ async function tryCase([name, test]) {
     await inTime(test);
     ++passed;
     console.log(`ok ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
-  } catch (fault) {
+  } catch (error) {
     ++failed;
-    console.log(`FAILED ${name}\n  ${String(fault.stack ?? fault).split("\n").slice(0, 12).join("\n  ")}`);
+    console.log(`FAILED ${name}\n  ${String(error.stack ?? error).split("\n").slice(0, 12).join("\n  ")}`);
   }
 }
 

@@ -46,9 +46,9 @@ class Served {
     if (this.program.exitCode !== null || this.program.signalCode !== null) return Promise.resolve();
     const ended = new Promise((done) => this.program.once("exit", done));
     this.program.kill();
-    return within(PATIENCE_MS, ended, () => "gsim-studio does not end").catch((fault) => {
+    return within(PATIENCE_MS, ended, () => "gsim-studio does not end").catch((error) => {
       this.program.kill("SIGKILL");
-      throw fault;
+      throw error;
     });
   }
 }

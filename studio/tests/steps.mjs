@@ -10,11 +10,11 @@ import { openPage } from "./browser.mjs";
  * that are `expected`.
  */
 export async function withPage(file, test, { expected, ...options } = {}) {
-  const { page, faults, close } = await openPage(file, options);
+  const { page, errors, close } = await openPage(file, options);
   try {
     await page.waitForFunction(() => window.studio?.store.get("run")?.report, null, { timeout: 60_000 });
     await test(page);
-    assert.deepEqual(faults.filter((fault) => !expected?.test(fault)), []);
+    assert.deepEqual(errors.filter((error) => !expected?.test(error)), []);
   } finally {
     await close();
   }

@@ -26,9 +26,9 @@ for (const { default: cases, modules = [] } of units) {
     try {
       await test(used);
       ++passed;
-    } catch (fault) {
+    } catch (error) {
       ++failed;
-      console.log(`FAILED ${name}\n  ${String(fault.stack ?? fault).split("\n").slice(0, 8).join("\n  ")}`);
+      console.log(`FAILED ${name}\n  ${String(error.stack ?? error).split("\n").slice(0, 8).join("\n  ")}`);
     }
   }
 }

@@ -40,7 +40,7 @@ std::vector<Block> blocks_of(const std::vector<LineTime>& times) {
     return blocks;
 }
 
-tl::expected<std::vector<Block>, std::string> read_blocks(std::istream& moves) {
+Result<std::vector<Block>> read_blocks(std::istream& moves) {
     std::vector<Block> blocks;
     std::string line;
     for (long number = 1; std::getline(moves, line); ++number) {
@@ -48,7 +48,7 @@ tl::expected<std::vector<Block>, std::string> read_blocks(std::istream& moves) {
         try {
             append(blocks, read_move(text::parse_json<json>(line)));
         } catch (const std::exception& error) {  // nlohmann's
-            return tl::unexpected(
+            return Unexpected(
                 fmt::format("line {} of the moves cannot be understood: {}", number, error.what()));
         }
     }

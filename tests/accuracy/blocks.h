@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::accuracy {
 
@@ -26,6 +26,6 @@ std::vector<Block> blocks_of(const std::vector<LineTime>& times);
 
 /// Returns the blocks in the output of `gsim-run --moves` (JSON Lines, docs/report.md). Moves without a line
 /// and moves that take no time belong to no block. The error names the line that cannot be parsed.
-tl::expected<std::vector<Block>, std::string> read_blocks(std::istream& moves);
+Result<std::vector<Block>> read_blocks(std::istream& moves);
 
 }  // namespace gsim::accuracy

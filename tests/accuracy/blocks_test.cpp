@@ -30,7 +30,7 @@ TEST(Blocks, AreTheMovesOfALineInARow) {
 {"n":5,"file":"a.ngc","line":6,"kind":"arc_cw","to":{},"start_s":2,"end_s":4}
 )");
     const auto blocks = read_blocks(moves);
-    ASSERT_TRUE(blocks) << blocks.error();
+    ASSERT_TRUE(blocks) << blocks.error().message;
     ASSERT_EQ(blocks->size(), 2U);
     EXPECT_EQ((*blocks)[0].line, 3);
     EXPECT_EQ((*blocks)[0].start_s, 0);
@@ -44,7 +44,8 @@ TEST(Blocks, NameALineOfTheMovesThatCannotBeRead) {
     std::istringstream moves("\n{\"line\":3}");
     const auto blocks = read_blocks(moves);
     ASSERT_FALSE(blocks);
-    EXPECT_EQ(blocks.error().find("line 2 of the moves cannot be understood: "), 0U) << blocks.error();
+    EXPECT_EQ(blocks.error().message.find("line 2 of the moves cannot be understood: "), 0U)
+        << blocks.error().message;
     std::istringstream broken("{");
     EXPECT_FALSE(read_blocks(broken));
 }

@@ -26,7 +26,7 @@ TEST(Distribution, IsOfErrorsWithoutSign) {
 
 TEST(Distribution, CountsWhatIsRefusedAndNotWhatIsNotCounted) {
     TimeOutcome rejected = outcome("refused", 1, 1);
-    rejected.found_s = tl::unexpected<std::string>("no");
+    rejected.found_s = Unexpected("no");
     TimeOutcome left_out = outcome("left out", 1, 9);
     left_out.counted = false;
     const Distribution all = distribution_of({outcome("a", 1, 1.004), rejected, left_out});

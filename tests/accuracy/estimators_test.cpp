@@ -61,7 +61,7 @@ TEST(ProgrammedMoves, SayWhichLineIsNone) {
     std::istringstream in("{\"kind\":\"linear\"}\n");
     const auto moves = read_programmed_moves(in, router());
     ASSERT_FALSE(moves);
-    EXPECT_EQ(moves.error().find("line 1"), 0U);
+    EXPECT_EQ(moves.error().message.find("line 1"), 0U);
 }
 
 TEST(Estimators, OfLengthsAloneDivideByFeeds) {

@@ -31,18 +31,17 @@ std::string read_all(std::FILE* file) {
     return text;
 }
 
-tl::expected<std::string, std::string> command_output(const std::vector<std::string>& command,
-                                                      const fs::path& input) {
+Result<std::string> command_output(const std::vector<std::string>& command, const fs::path& input) {
     const os::FileHandle in(std::fopen(input.c_str(), "rb"));
-    if (!in) return tl::unexpected(fmt::format("cannot read {}", input.string()));
+    if (!in) return Unexpected(fmt::format("cannot read {}", input.string()));
     const os::FileHandle out(std::tmpfile());
-    if (!out) return tl::unexpected<std::string>("cannot make a temporary file");
+    if (!out) return Unexpected("cannot create a temporary file");
     const auto ran = os::run_child(command, in.get(), out.get());
     std::string printed = read_all(out.get());
     if (ran) return printed;
     // With --json the error is in the report and is not printed again.
     const auto time_s = read_cycle_time_s(printed);
-    return tl::unexpected(json::accept(printed) && !time_s ? time_s.error() : ran.error());
+    return tl::unexpected(json::accept(printed) && !time_s ? time_s.error().message : ran.error().message);
 }
 
 // Returns the messages of gsim-run without the folders.
@@ -65,14 +64,13 @@ std::string table_of_tools(int count) {
 GsimProgram::GsimProgram(std::string gsim_run, std::vector<std::string> machines)
     : gsim_run_(std::move(gsim_run)), machines_(std::move(machines)) {}
 
-tl::expected<std::string, std::string> GsimProgram::run(const Recording& recording,
-                                                        const std::vector<std::string>& outputs) const {
+Result<std::string> GsimProgram::run(const Recording& recording,
+                                     const std::vector<std::string>& outputs) const {
     return run_on(tests::machine_file_in(machines_, recording.machine_file), recording, outputs);
 }
 
-tl::expected<std::string, std::string> GsimProgram::run_on(const fs::path& machine,
-                                                           const Recording& recording,
-                                                           const std::vector<std::string>& outputs) const {
+Result<std::string> GsimProgram::run_on(const fs::path& machine, const Recording& recording,
+                                        const std::vector<std::string>& outputs) const {
     std::vector<std::string> command{gsim_run_,   "--dialect",      recording.dialect,
                                      "--machine", machine.string(), "--json"};
     if (recording.tools > 0) {
@@ -85,12 +83,12 @@ tl::expected<std::string, std::string> GsimProgram::run_on(const fs::path& machi
     }
     command.insert(command.end(), outputs.begin(), outputs.end());
     command.push_back(recording.program.string());
-    return command_output(command, "/dev/null").map_error([&](const std::string& message) {
-        return without_paths(message, gsim_run_, recording.program);
+    return command_output(command, "/dev/null").map_error([&](const Error& error) {
+        return Error(without_paths(error.message, gsim_run_, recording.program));
     });
 }
 
-tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& recording) const {
+Result<double> GsimProgram::cycle_time_s(const Recording& recording) const {
     if (!recording.from_first_move) return run(recording, {}).and_then(read_cycle_time_s);
     const fs::path moves_file = scratch_.path() / "moves.jsonl";
     const auto total_s = run(recording, {"--moves", moves_file}).and_then(read_cycle_time_s);
@@ -99,15 +97,16 @@ tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& rec
     return *total_s - first_motion_s(moves);
 }
 
-tl::expected<ProgrammedRun, std::string> GsimProgram::programmed_run(const Recording& recording) const {
+Result<ProgrammedRun> GsimProgram::programmed_run(const Recording& recording) const {
     auto machine = machine::load_machine(tests::machine_file_in(machines_, recording.machine_file));
     if (!machine) return tl::unexpected(machine.error());
     const machine::Machine full = *machine;
     rrs::ControllerRules& rules = machine->controller;
     rules.planner = rrs::PlannerKind::rest_to_rest;
-    rules.arc_chord_tolerance_mm = rules.dwell_step_s = rules.dwell_s = rules.servo_period_s = 0;
-    rules.path_measure = rrs::PathMeasure::tool;
-    rules.limit_jerk = false;
+    rules.curves.arc_chord_tolerance_mm = rules.standstill.dwell_step_s = rules.standstill.dwell_s =
+        rules.position_loop.servo_period_s = 0;
+    rules.blocks.path_measure = rrs::PathMeasure::tool;
+    rules.ramps.limit_jerk = false;
     const fs::path from_rest_to_rest = scratch_.write("machine.toml", machine::print_machine(*machine));
     const fs::path moves_file = scratch_.path() / "moves.jsonl";
     if (const auto ran = run_on(from_rest_to_rest, recording, {"--moves", moves_file}); !ran)
@@ -118,7 +117,7 @@ tl::expected<ProgrammedRun, std::string> GsimProgram::programmed_run(const Recor
     });
 }
 
-tl::expected<TimedPath, std::string> GsimProgram::path(const Recording& recording) const {
+Result<TimedPath> GsimProgram::path(const Recording& recording) const {
     const fs::path trajectory_file = scratch_.path() / "trajectory.csv";
     const fs::path moves_file = scratch_.path() / "moves.jsonl";
     const auto ran =
@@ -133,15 +132,15 @@ tl::expected<TimedPath, std::string> GsimProgram::path(const Recording& recordin
     return TimedPath{*std::move(samples), *std::move(blocks)};
 }
 
-tl::expected<double, std::string> read_cycle_time_s(const std::string& report) {
+Result<double> read_cycle_time_s(const std::string& report) {
     try {
         const json object = text::parse_json<json>(report);
         const std::string status = object.at("status").get<std::string>();
         if (status == "completed") return object.at("cycle_time_s").get<double>();
         const json& reason = status == "violations" ? object.at("violations").at(0) : object.at("alarm");
-        return tl::unexpected(fmt::format("{}: {}", status, reason.at("message").get<std::string>()));
+        return Unexpected(fmt::format("{}: {}", status, reason.at("message").get<std::string>()));
     } catch (const std::exception& error) {  // nlohmann's
-        return tl::unexpected(fmt::format("the report cannot be understood: {}", error.what()));
+        return Unexpected(fmt::format("the report cannot be understood: {}", error.what()));
     }
 }
 
@@ -154,12 +153,13 @@ double first_motion_s(std::istream& moves) {
     return 0;
 }
 
-tl::expected<TimedPath, std::string> recorded_path(const Recording& recording) {
+Result<TimedPath> recorded_path(const Recording& recording) {
     const auto csv = command_output({"gzip", "-dc"}, recording.samples);
     if (!csv) return tl::unexpected(csv.error());
     std::istringstream lines(*csv);
     auto samples = read_trajectory(lines);
-    if (!samples) return tl::unexpected(fmt::format("{}: {}", recording.samples.string(), samples.error()));
+    if (!samples)
+        return Unexpected(fmt::format("{}: {}", recording.samples.string(), samples.error().message));
     return TimedPath{*std::move(samples), recording.blocks};
 }
 

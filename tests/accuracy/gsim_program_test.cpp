@@ -30,9 +30,10 @@ Recording recording(const conformance::ScratchFolder& folder) {
 TEST(CycleTime, IsThatOfACompletedRun) {
     EXPECT_EQ(read_cycle_time_s(R"({"status": "completed", "alarm": null, "cycle_time_s": 1.25})").value(),
               1.25);
-    EXPECT_EQ(
-        read_cycle_time_s(R"({"status": "alarm", "alarm": {"message": "limit"}, "cycle_time_s": 1})").error(),
-        "alarm: limit");
+    EXPECT_EQ(read_cycle_time_s(R"({"status": "alarm", "alarm": {"message": "limit"}, "cycle_time_s": 1})")
+                  .error()
+                  .message,
+              "alarm: limit");
     EXPECT_FALSE(read_cycle_time_s(""));
     EXPECT_FALSE(read_cycle_time_s("{}"));
 }
@@ -68,15 +69,15 @@ TEST(GsimProgram, GivesItTheToolsOfTheRecording) {
 TEST(GsimProgram, TellsTheFirstErrorWithoutFolders) {
     const conformance::ScratchFolder folder;
     const GsimProgram gsim(script(folder, "echo \"$6:3: no such code\" >&2\nexit 1\n"), {"machines"});
-    EXPECT_EQ(gsim.cycle_time_s(recording(folder)).error(), "router_a.ngc:3: no such code");
+    EXPECT_EQ(gsim.cycle_time_s(recording(folder)).error().message, "router_a.ngc:3: no such code");
     const GsimProgram killed(script(folder, "kill -9 $$\n"), {"machines"});
-    EXPECT_EQ(killed.cycle_time_s(recording(folder)).error(), "fake-gsim-run was ended by signal 9");
+    EXPECT_EQ(killed.cycle_time_s(recording(folder)).error().message, "fake-gsim-run was terminated by signal 9");
     const GsimProgram silent(script(folder, "exit 1\n"), {"machines"});
-    EXPECT_EQ(silent.cycle_time_s(recording(folder)).error(), "gsim-run failed without a word");
+    EXPECT_EQ(silent.cycle_time_s(recording(folder)).error().message, "gsim-run failed without a word");
     const GsimProgram refusing(
         script(folder, "echo '{\"status\": \"alarm\", \"alarm\": {\"message\": \"no such code\"}}'; exit 1"),
         {"machines"});
-    EXPECT_EQ(refusing.cycle_time_s(recording(folder)).error(), "alarm: no such code");
+    EXPECT_EQ(refusing.cycle_time_s(recording(folder)).error().message, "alarm: no such code");
     const GsimProgram missing(folder.path() / "missing", {"machines"});
     EXPECT_FALSE(missing.cycle_time_s(recording(folder)));
 }
@@ -90,7 +91,7 @@ TEST(GsimProgram, ReadsTrajectoryAndMoves) {
                "echo '{\"line\": 3, \"start_s\": 0, \"end_s\": 0.5}' >\"${11}\"\n"),
         {"machines"});
     const auto path = gsim.path(recording(folder));
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     ASSERT_EQ(path->trajectory.size(), 2U);
     EXPECT_EQ(path->trajectory[1].at_mm[0], 7);
     ASSERT_EQ(path->blocks.size(), 1U);
@@ -105,7 +106,7 @@ TEST(RecordedPath, IsUnpacked) {
     sample_outcome.samples = folder.path() / "router_a.csv.gz";
     sample_outcome.blocks = {{3, 0, 0.01}};
     const auto path = recorded_path(sample_outcome);
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->trajectory.size(), 2U);
     EXPECT_EQ(path->blocks.size(), 1U);
     sample_outcome.samples = folder.path() / "missing.csv.gz";

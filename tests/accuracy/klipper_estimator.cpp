@@ -42,14 +42,15 @@ Line line_of(const ProgrammedMove& move, double length_mm, const Eigen::Vector3d
     line.cruise_2 = speed * speed;
     line.gain_2 = 2 * length_mm * move.acceleration;
     const double beside_mm_s2 =
-        machine.path.max_acceleration_mm_s2 * (1 - machine.controller.minimum_cruise_ratio);
+        machine.path.max_acceleration_mm_s2 * (1 - machine.controller.klipper.minimum_cruise_ratio);
     line.smoothed_gain_2 = std::min(2 * length_mm * beside_mm_s2, line.gain_2);
     return line;
 }
 
 /// Adds equal chords, as many as possible with at least the resolution as their length on the arc.
 void add_chords(const ProgrammedMove& move, const machine::Machine& machine, std::vector<Line>& lines) {
-    const double count = std::max(1.0, std::floor(move.length_mm / machine.controller.arc_resolution_mm));
+    const double count =
+        std::max(1.0, std::floor(move.length_mm / machine.controller.klipper.arc_resolution_mm));
     const double turn = move.sweep_rad / count;
     const double climb_mm = move.climb_mm / count;
     const double flat_mm = 2 * move.radius_mm * std::sin(turn / 2);
@@ -150,7 +151,7 @@ void plan(std::vector<Line>& lines) {
 
 double klipper_estimator_s(std::span<const ProgrammedMove> moves, const machine::Machine& machine) {
     std::vector<Line> lines = lines_of(moves, machine);
-    const double square_mm_s = machine.controller.square_corner_velocity_mm_s;
+    const double square_mm_s = machine.controller.klipper.square_corner_velocity_mm_s;
     const double deviation_mm =
         square_mm_s * square_mm_s * (std::numbers::sqrt2 - 1) / machine.path.max_acceleration_mm_s2;
     const double jump_mm_s = jump_of_extruder_mm_s(machine);

@@ -78,7 +78,7 @@ std::vector<TimeOutcome> compare_times(const std::vector<Recording>& recordings,
     return outcomes;
 }
 
-tl::expected<Distance, std::string> distance(const Recording& recording, const GsimProgram& gsim) {
+Result<Distance> distance(const Recording& recording, const GsimProgram& gsim) {
     const auto recorded = recorded_path(recording);
     if (!recorded) return tl::unexpected(recorded.error());
     return gsim.path(recording).and_then(
@@ -182,7 +182,7 @@ bool compare(const std::vector<Recording>& recordings, const Controller& control
 std::vector<Recording> recordings_of(const Controller& controller, const fs::path& folder) {
     if (!fs::is_directory(folder)) return {};
     auto recordings = find_recordings(folder, controller);
-    if (!recordings) throw std::runtime_error(recordings.error());
+    if (!recordings) throw std::runtime_error(recordings.error().message);
     return *std::move(recordings);
 }
 
@@ -223,7 +223,7 @@ int main(int argc, char** argv) {
             "gsim-accuracy", "Compares cycle times and positions of gsim with those of recorded controllers");
         accuracy::add_options(line, arguments);
         const auto parsed = apps::parse(line, std::vector<std::string>(argv + 1, argv + argc));
-        if (!parsed) throw std::runtime_error(parsed.error());
+        if (!parsed) throw std::runtime_error(parsed.error().message);
         if (*parsed) return **parsed;
         return accuracy::run(arguments);
     } catch (const std::exception& error) {

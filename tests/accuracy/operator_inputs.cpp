@@ -42,7 +42,7 @@ bool turn(std::string_view byte, Percents& percents) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> overrides_of(std::string_view inputs) {
+Result<std::string> overrides_of(std::string_view inputs) {
     Percents percents;
     std::map<double, Percents> changes;
     while (!inputs.empty()) {
@@ -52,10 +52,9 @@ tl::expected<std::string, std::string> overrides_of(std::string_view inputs) {
         double at_s = 0;
         const auto read = std::from_chars(input.data(), input.data() + std::min(colon, input.size()), at_s);
         if (colon == std::string_view::npos || read.ec != std::errc())
-            return tl::unexpected(fmt::format("'{}' is no input at a time", input));
+            return Unexpected(fmt::format("'{}' is no input at a time", input));
         if (!turn(input.substr(colon + 1), percents))
-            return tl::unexpected(
-                fmt::format("'{}' is none that turns an override", input.substr(colon + 1)));
+            return Unexpected(fmt::format("'{}' is none that turns an override", input.substr(colon + 1)));
         changes[at_s] = percents;
     }
     std::string text;

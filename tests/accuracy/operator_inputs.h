@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::accuracy {
 
@@ -11,6 +11,6 @@ namespace gsim::accuracy {
 /// overrides (gsim-run --overrides); empty: no action. Bytes are grbl's real-time commands: feed overrides in
 /// steps of 10 % and 1 % within 10 to 200 %, rapid overrides of 25, 50 and 100 %. The error names any other
 /// byte, such as a feed hold, because its end depends on when the standstill was detected.
-tl::expected<std::string, std::string> overrides_of(std::string_view inputs);
+Result<std::string> overrides_of(std::string_view inputs);
 
 }  // namespace gsim::accuracy

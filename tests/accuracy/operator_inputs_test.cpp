@@ -20,7 +20,7 @@ TEST(OperatorInputs, EndAtTheRangeOfTheFeed) {
 }
 
 TEST(OperatorInputs, AreRefusedByName) {
-    EXPECT_NE(overrides_of("0.9:0x21").error().find("0x21"), std::string::npos);
+    EXPECT_NE(overrides_of("0.9:0x21").error().message.find("0x21"), std::string::npos);
     EXPECT_FALSE(overrides_of("soon:0x91"));
     EXPECT_FALSE(overrides_of("0x91"));
 }

@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "tests/accuracy/controller.h"
 #include "tests/accuracy/path_distance.h"
 
@@ -18,8 +17,8 @@ struct TimeOutcome {
     std::string note;
     bool counted = true;
     double recorded_s = 0;
-    tl::expected<double, std::string> found_s = 0;  ///< Or why gsim has no time.
-    std::string known;                              ///< Reason of a known deviation; empty if none.
+    Result<double> found_s = 0;  ///< Or why gsim has no time.
+    std::string known;           ///< Reason of a known deviation; empty if none.
 
     double error_s() const { return *found_s - recorded_s; }
     double error_percent() const;
@@ -33,7 +32,7 @@ Mark mark(const TimeOutcome& outcome, const Controller& controller);
 /// Result of the comparison of a program's positions.
 struct PathOutcome {
     std::string name;
-    tl::expected<Distance, std::string> distance;  ///< Or why it is unknown.
+    Result<Distance> distance;  ///< Or why it is unknown.
     std::string known;
 
     bool good() const { return distance && distance->mm <= kGoodDistance_mm; }

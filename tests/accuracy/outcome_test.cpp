@@ -20,7 +20,7 @@ TimeOutcome outcome(double recorded_s, double found_s) {
 
 TimeOutcome rejected() {
     TimeOutcome sample_outcome = outcome(1, 1);
-    sample_outcome.found_s = tl::unexpected<std::string>("alarm");
+    sample_outcome.found_s = Unexpected("alarm");
     return sample_outcome;
 }
 
@@ -107,7 +107,7 @@ TEST(PathOutcome, IsGoodWithinAMillimetre) {
     EXPECT_TRUE((PathOutcome{"a", Distance{1.0, 3, 0.1}, ""}.good()));
     EXPECT_FALSE((PathOutcome{"a", Distance{1.001, 3, 0.1}, ""}.good()));
     EXPECT_FALSE((PathOutcome{"a", Distance{std::nan(""), 3, 0.1}, ""}.good()));
-    EXPECT_FALSE((PathOutcome{"a", tl::unexpected<std::string>("refused"), ""}.good()));
+    EXPECT_FALSE((PathOutcome{"a", Unexpected("refused"), ""}.good()));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::optional<std::string> find_foreign_block(const std::vector<Block>& recorded
 
 }  // namespace
 
-tl::expected<Distance, std::string> largest_distance(const TimedPath& recorded, const TimedPath& found) {
+Result<Distance> largest_distance(const TimedPath& recorded, const TimedPath& found) {
     if (auto foreign = find_foreign_block(recorded.blocks, found.blocks))
         return tl::unexpected(*std::move(foreign));
     std::optional<Distance> largest;
@@ -46,7 +46,7 @@ tl::expected<Distance, std::string> largest_distance(const TimedPath& recorded, 
         const double mm = distance_mm(sample.at_mm, place_at_mm(found.trajectory, found_t_s));
         if (!largest || mm > largest->mm) largest = {mm, block.line, into_block_s};
     }
-    if (!largest) return tl::unexpected<std::string>("no sample lies in a block");
+    if (!largest) return Unexpected("no sample lies in a block");
     return *largest;
 }
 

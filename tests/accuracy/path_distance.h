@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "tests/accuracy/blocks.h"
 #include "tests/accuracy/trajectory.h"
 
@@ -29,6 +28,6 @@ struct Distance {
 /// Returns the largest distance of X, Y and Z at equal times since the start of each block, at the samples of
 /// `recorded`. A block of `found` that ends earlier stays at its end. The error names the first block that
 /// the runs do not share, or says that no data can be compared.
-tl::expected<Distance, std::string> largest_distance(const TimedPath& recorded, const TimedPath& found);
+Result<Distance> largest_distance(const TimedPath& recorded, const TimedPath& found);
 
 }  // namespace gsim::accuracy

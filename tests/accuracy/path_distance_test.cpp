@@ -36,13 +36,13 @@ TimedPath two_moves(double pause_s, double sideways_mm = 0) {
 
 TEST(PathDistance, IsNoneOfAPathFromItself) {
     const auto distance = largest_distance(two_moves(0), two_moves(0));
-    ASSERT_TRUE(distance) << distance.error();
+    ASSERT_TRUE(distance) << distance.error().message;
     EXPECT_NEAR(distance->mm, 0, 1e-9);
 }
 
 TEST(PathDistance, CountsTimeFromTheStartOfEachBlock) {
     const auto distance = largest_distance(two_moves(0), two_moves(0.303));
-    ASSERT_TRUE(distance) << distance.error();
+    ASSERT_TRUE(distance) << distance.error().message;
     // Between samples 10 ms apart a straight line misses a parabola by at most a t^2 / 8. The samples of the
     // second block are cut at its borders.
     EXPECT_LT(distance->mm, kAcceleration_mm_s2 * 0.01 * 0.01 / 2);
@@ -74,16 +74,18 @@ TEST(PathDistance, TakesABlockThatEndsEarlierAsAtRest) {
 TEST(PathDistance, NamesTheBlockThatIsNotShared) {
     TimedPath found = two_moves(0);
     found.blocks[1].line = 6;
-    EXPECT_EQ(largest_distance(two_moves(0), found).error(), "block 2 is line 6, line 5 is recorded");
+    EXPECT_EQ(largest_distance(two_moves(0), found).error().message, "block 2 is line 6, line 5 is recorded");
     found.blocks.pop_back();
-    EXPECT_EQ(largest_distance(two_moves(0), found).error(), "block 2 is the end, line 5 is recorded");
-    EXPECT_EQ(largest_distance(found, two_moves(0)).error(), "block 2 is line 5, the end is recorded");
+    EXPECT_EQ(largest_distance(two_moves(0), found).error().message,
+              "block 2 is the end, line 5 is recorded");
+    EXPECT_EQ(largest_distance(found, two_moves(0)).error().message,
+              "block 2 is line 5, the end is recorded");
 }
 
 TEST(PathDistance, NeedsABlock) {
     TimedPath nothing = two_moves(0);
     nothing.blocks.clear();
-    EXPECT_EQ(largest_distance(nothing, nothing).error(), "no sample lies in a block");
+    EXPECT_EQ(largest_distance(nothing, nothing).error().message, "no sample lies in a block");
 }
 
 }  // namespace

@@ -136,8 +136,8 @@ ProgrammedMove move_in(const json& line, const machine::Machine& machine, Positi
 
 }  // namespace
 
-tl::expected<std::vector<ProgrammedMove>, std::string> read_programmed_moves(
-    std::istream& moves, const machine::Machine& machine) {
+Result<std::vector<ProgrammedMove>> read_programmed_moves(std::istream& moves,
+                                                          const machine::Machine& machine) {
     Position at;
     for (const machine::Axis& axis : machine.axes) at[axis.letter] = axis.home;
     std::vector<ProgrammedMove> read;
@@ -146,7 +146,7 @@ tl::expected<std::vector<ProgrammedMove>, std::string> read_programmed_moves(
         try {
             read.push_back(move_in(text::parse_json<json>(line), machine, at));
         } catch (const std::exception& error) {  // nlohmann's and the maps'
-            return tl::unexpected(fmt::format("line {} of the moves: {}", number, error.what()));
+            return Unexpected(fmt::format("line {} of the moves: {}", number, error.what()));
         }
     }
     return read;

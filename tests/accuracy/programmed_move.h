@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "machine/model/machine.h"
 
 namespace gsim::accuracy {
@@ -39,7 +38,7 @@ struct ProgrammedRun {
 
 /// Returns the moves in the output of `gsim-run --moves` for a run from standstill to standstill, so that
 /// their ends are those of the program. The error names the line that cannot be parsed.
-tl::expected<std::vector<ProgrammedMove>, std::string> read_programmed_moves(std::istream& moves,
-                                                                             const machine::Machine& machine);
+Result<std::vector<ProgrammedMove>> read_programmed_moves(std::istream& moves,
+                                                          const machine::Machine& machine);
 
 }  // namespace gsim::accuracy

@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-tl::expected<std::string, std::string> read_file(const fs::path& file) {
+Result<std::string> read_file(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (!in) return tl::unexpected(fmt::format("cannot read {}", file.string()));
+    if (!in) return Unexpected(fmt::format("cannot read {}", file.string()));
     return text;
 }
 
@@ -70,21 +70,20 @@ fs::path times_file_of(const fs::path& program) {
 }
 
 // A program with values of its own does not need the table.
-tl::expected<std::map<std::string, double>, std::string> listed_times(const fs::path& folder,
-                                                                      const Controller& controller) {
+Result<std::map<std::string, double>> listed_times(const fs::path& folder, const Controller& controller) {
     const fs::path table = folder / "table.tsv";
     if (!fs::is_regular_file(table)) return {};
     auto times =
         read_file(table).and_then([&](const std::string& text) { return read_times(text, controller); });
-    if (!times) return tl::unexpected(fmt::format("{}: {}", table.string(), times.error()));
+    if (!times) return Unexpected(fmt::format("{}: {}", table.string(), times.error().message));
     std::erase_if(*times, [&](const auto& listed) {
         return fs::is_regular_file(times_file_of(folder / (listed.first + ".ngc")));
     });
     return times;
 }
 
-tl::expected<Recording, std::string> read_recording(const fs::path& program, const Controller& controller,
-                                                    const std::map<std::string, double>& times) {
+Result<Recording> read_recording(const fs::path& program, const Controller& controller,
+                                 const std::map<std::string, double>& times) {
     Recording recording;
     recording.name = program.stem().string();
     recording.program = program;
@@ -100,7 +99,7 @@ tl::expected<Recording, std::string> read_recording(const fs::path& program, con
         const auto json_text = read_file(times_file);
         if (!json_text) return tl::unexpected(json_text.error());
         if (const auto read = read_recorded_values(*json_text, controller, recording); !read)
-            return tl::unexpected(fmt::format("{}: {}", times_file.string(), read.error()));
+            return Unexpected(fmt::format("{}: {}", times_file.string(), read.error().message));
     }
     recording.from_first_move = controller.from_first_move;
     recording.tools = controller.tools;
@@ -108,8 +107,7 @@ tl::expected<Recording, std::string> read_recording(const fs::path& program, con
     return recording;
 }
 
-tl::expected<std::vector<Recording>, std::string> runs_of_table(const fs::path& folder,
-                                                                const Controller& controller) {
+Result<std::vector<Recording>> runs_of_table(const fs::path& folder, const Controller& controller) {
     return read_file(folder / "table.tsv").and_then([&](const std::string& text) {
         return listed_runs(folder, read_rows(text), controller);
     });
@@ -117,8 +115,7 @@ tl::expected<std::vector<Recording>, std::string> runs_of_table(const fs::path& 
 
 }  // namespace
 
-tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path& folder,
-                                                                  const Controller& controller) {
+Result<std::vector<Recording>> find_recordings(const fs::path& folder, const Controller& controller) {
     if (controller.runs != nullptr) return runs_of_table(folder, controller);
     std::error_code error;
     const auto times = listed_times(folder, controller);
@@ -131,7 +128,7 @@ tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path
         if (times->contains(file.stem().string()) || fs::is_regular_file(times_file_of(file)))
             programs.push_back(file);
     }
-    if (error) return tl::unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
+    if (error) return Unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
     std::sort(programs.begin(), programs.end());
     std::vector<Recording> recordings;
     for (const fs::path& program : programs) {
@@ -142,8 +139,8 @@ tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path
     return recordings;
 }
 
-tl::expected<void, std::string> read_recorded_values(const std::string& json_text,
-                                                     const Controller& controller, Recording& recording) {
+Result<void> read_recorded_values(const std::string& json_text, const Controller& controller,
+                                  Recording& recording) {
     try {
         const json times_file = text::parse_json<json>(json_text);
         recording.cycle_time_s = time_in(times_file.at(std::string(controller.time_key)));
@@ -151,18 +148,17 @@ tl::expected<void, std::string> read_recorded_values(const std::string& json_tex
         recording.exact_stop = times_file.value("mode", "") == "G61.1";
         if (times_file.contains("time_per_line")) recording.blocks = blocks_in(times_file["time_per_line"]);
     } catch (const std::exception& error) {  // those of nlohmann and our own
-        return tl::unexpected<std::string>(error.what());
+        return Unexpected(error.what());
     }
     return {};
 }
 
-tl::expected<std::map<std::string, double>, std::string> read_times(const std::string& table,
-                                                                    const Controller& controller) {
+Result<std::map<std::string, double>> read_times(const std::string& table, const Controller& controller) {
     const std::vector<TableRow> rows = read_rows(table);
     std::map<std::string, double> times;
     for (const TableRow& row : rows) {
         const auto name = row.find("name");
-        if (name == row.end()) return tl::unexpected<std::string>("there is no column 'name'");
+        if (name == row.end()) return Unexpected("there is no column 'name'");
         const auto time_s = column_s(row, controller.time_key);
         if (!time_s) return tl::unexpected(time_s.error());
         times[name->second] = *time_s;

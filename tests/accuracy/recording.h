@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "tests/accuracy/blocks.h"
 #include "tests/accuracy/controller.h"
 
@@ -33,18 +32,17 @@ struct Recording {
 /// Returns the recordings in a folder, sorted by name: programs with a JSON of the same name, or with a line
 /// in the folder's table.tsv. If the controller has a RunTable, they are the runs that the table lists. The
 /// error names the folder or file that cannot be read.
-tl::expected<std::vector<Recording>, std::string> find_recordings(const std::filesystem::path& folder,
-                                                                  const Controller& controller);
+Result<std::vector<Recording>> find_recordings(const std::filesystem::path& folder,
+                                               const Controller& controller);
 
 /// Stores the values from the JSON of a recording in it; the error names the missing value.
-tl::expected<void, std::string> read_recorded_values(const std::string& json_text,
-                                                     const Controller& controller, Recording& recording);
+Result<void> read_recorded_values(const std::string& json_text, const Controller& controller,
+                                  Recording& recording);
 
 /// The times of a table by the names of the programs: lines of columns with tabs between, under a line that
 /// names them
 /// ("name", and the controller's time key). The error says what it lacks.
-tl::expected<std::map<std::string, double>, std::string> read_times(const std::string& table,
-                                                                    const Controller& controller);
+Result<std::map<std::string, double>> read_times(const std::string& table, const Controller& controller);
 
 /// Returns true if a program has G4 outside its comments.
 bool has_dwell(std::string_view program);

@@ -38,7 +38,7 @@ TEST(Recording, SaysWhatItsFiguresLack) {
     EXPECT_FALSE(read_recorded_values(R"({"cycle_time_s": "1", "mode": ""})", kLinuxcnc, recording));
     const auto negative = read_recorded_values(R"({"cycle_time_s": -1, "mode": ""})", kLinuxcnc, recording);
     ASSERT_FALSE(negative);
-    EXPECT_EQ(negative.error(), "a time is negative");
+    EXPECT_EQ(negative.error().message, "a time is negative");
 }
 
 TEST(Recording, DwellIsG4OutsideComments) {
@@ -60,7 +60,7 @@ TEST(Recordings, AreProgramsWithFiguresByName) {
     folder.write("gantry254_a.json", R"({"cycle_time_s": 1, "mode": "G64"})");
     folder.write("router_alone.ngc", "G1 X1 F10\n");
     const auto recordings = find_recordings(folder.path(), kLinuxcnc);
-    ASSERT_TRUE(recordings) << recordings.error();
+    ASSERT_TRUE(recordings) << recordings.error().message;
     ASSERT_EQ(recordings->size(), 2U);
     const Recording& first = (*recordings)[0];
     EXPECT_EQ(first.name, "gantry254_a");
@@ -79,7 +79,7 @@ TEST(Recordings, CountDwellsThatTheControllerTimes) {
     folder.write("router_dwell.ngc", "G4 P1\n");
     folder.write("router_dwell.json", R"({"cycle_time_nominal_s": 1, "notes": ""})");
     const auto recordings = find_recordings(folder.path(), kGrbl);
-    ASSERT_TRUE(recordings) << recordings.error();
+    ASSERT_TRUE(recordings) << recordings.error().message;
     ASSERT_EQ(recordings->size(), 1U);
     EXPECT_TRUE(recordings->front().counted);
     EXPECT_EQ(recordings->front().machine_file, "grbl-router.toml");
@@ -93,7 +93,7 @@ TEST(Recordings, MayBeLinesOfATable) {
     folder.write("router_unlisted.ngc", "G1 X1 F10\n");
     folder.write("table.tsv", "name\tcycle_time_s\nrouter_a\t1.5\nrouter_b\t9\nrouter_gone\t3\n");
     const auto recordings = find_recordings(folder.path(), kLinuxcnc2);
-    ASSERT_TRUE(recordings) << recordings.error();
+    ASSERT_TRUE(recordings) << recordings.error().message;
     ASSERT_EQ(recordings->size(), 2U);
     EXPECT_EQ((*recordings)[0].cycle_time_s, 1.5);
     EXPECT_EQ((*recordings)[0].machine_file, "linuxcnc-router.toml");
@@ -110,7 +110,7 @@ TEST(Recordings, NameTheFileThatCannotBeRead) {
     const auto times_json = folder.write("router_a.json", "{}");
     const auto recordings = find_recordings(folder.path(), kLinuxcnc);
     ASSERT_FALSE(recordings);
-    EXPECT_EQ(recordings.error().find(times_json.string()), 0U) << recordings.error();
+    EXPECT_EQ(recordings.error().message.find(times_json.string()), 0U) << recordings.error().message;
     EXPECT_FALSE(find_recordings(folder.path() / "missing", kLinuxcnc));
 }
 

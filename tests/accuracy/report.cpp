@@ -49,7 +49,7 @@ Row row(const TimeOutcome& outcome, const Controller& controller) {
 std::string remarks(const TimeOutcome& outcome, Format format) {
     std::string text;
     if (!outcome.found_s)
-        text += remark(fmt::format("{}: refused: {}", outcome.name, outcome.found_s.error()), format);
+        text += remark(fmt::format("{}: refused: {}", outcome.name, outcome.found_s.error().message), format);
     if (!outcome.known.empty())
         text += remark(fmt::format("{}: known: {}", outcome.name, outcome.known), format);
     return text;
@@ -85,7 +85,7 @@ Row row(const PathOutcome& outcome) {
 std::string remarks(const PathOutcome& outcome, Format format) {
     std::string text;
     if (!outcome.distance)
-        text += remark(fmt::format("{}: {}", outcome.name, outcome.distance.error()), format);
+        text += remark(fmt::format("{}: {}", outcome.name, outcome.distance.error().message), format);
     if (!outcome.known.empty())
         text += remark(fmt::format("{}: known: {}", outcome.name, outcome.known), format);
     return text;

@@ -13,7 +13,7 @@ const Controller& kGrbl = kControllers[1];
 std::vector<TimeOutcome> some_times() {
     return {{"router_a", "a square", true, 2, 2.001, ""},
             {"router_b", "a note of more characters than the column is wide", true, 1, 1.1, "rounded"},
-            {"router_c", "", true, 1.5, tl::unexpected<std::string>("alarm: limit"), ""}};
+            {"router_c", "", true, 1.5, Unexpected("alarm: limit"), ""}};
 }
 
 TEST(TimeReport, HasARowForEachProgramAndALineOfFigures) {
@@ -51,7 +51,7 @@ TEST(TimeReport, DoesNotCutACharacterInTwo) {
 TEST(PathReport, SaysWhereTheDistanceIsLargest) {
     const std::vector<PathOutcome> outcomes{{"router_a", Distance{0.25, 3, 0.1}, ""},
                                             {"router_b", Distance{12, 14, 1.5}, ""},
-                                            {"router_c", tl::unexpected<std::string>("no trajectory"), ""}};
+                                            {"router_c", Unexpected("no trajectory"), ""}};
     EXPECT_EQ(path_report(outcomes, kGrbl, Format::plain),
               "Positions, grbl, block by block\n"
               "program   largest mm  in line  s into it  mark\n"

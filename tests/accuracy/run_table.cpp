@@ -29,8 +29,7 @@ std::vector<std::string> split_columns(std::string_view line) {
     return columns;
 }
 
-tl::expected<Recording, std::string> parse_run(const TableRow& row, const fs::path& program,
-                                               const Controller& controller) {
+Result<Recording> parse_run(const TableRow& row, const fs::path& program, const Controller& controller) {
     const auto time_s = column_s(row, controller.time_key);
     if (!time_s) return tl::unexpected(time_s.error());
     const auto pause_s = row.contains("pause_s") ? column_s(row, "pause_s") : 0.0;
@@ -48,7 +47,7 @@ tl::expected<Recording, std::string> parse_run(const TableRow& row, const fs::pa
     run.tools = controller.tools;
     std::string left_out;
     if (!overridden) {
-        left_out = overridden.error();
+        left_out = overridden.error().message;
     } else if (controller.runs->left_out_for != nullptr) {
         left_out = controller.runs->left_out_for(row);
     }
@@ -59,13 +58,13 @@ tl::expected<Recording, std::string> parse_run(const TableRow& row, const fs::pa
 
 }  // namespace
 
-tl::expected<double, std::string> column_s(const TableRow& row, std::string_view column) {
+Result<double> column_s(const TableRow& row, std::string_view column) {
     const auto found = row.find(column);
-    if (found == row.end()) return tl::unexpected(fmt::format("there is no column '{}'", column));
+    if (found == row.end()) return Unexpected(fmt::format("there is no column '{}'", column));
     const std::string& text = found->second;
     double time_s = 0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), time_s);
-    if (read.ec != std::errc() || !(time_s >= 0)) return tl::unexpected(fmt::format("'{}' is no time", text));
+    if (read.ec != std::errc() || !(time_s >= 0)) return Unexpected(fmt::format("'{}' is no time", text));
     return time_s;
 }
 
@@ -82,15 +81,14 @@ std::vector<TableRow> read_rows(std::string_view table) {
     return rows;
 }
 
-tl::expected<std::vector<Recording>, std::string> listed_runs(const fs::path& folder,
-                                                              const std::vector<TableRow>& rows,
-                                                              const Controller& controller) {
+Result<std::vector<Recording>> listed_runs(const fs::path& folder, const std::vector<TableRow>& rows,
+                                           const Controller& controller) {
     std::vector<Recording> runs;
     for (const TableRow& row : rows) {
         const fs::path program = folder / (text_in(row, "name") + ".ngc");
         if (!fs::is_regular_file(program)) continue;
         auto run = parse_run(row, program, controller);
-        if (!run) return tl::unexpected(fmt::format("{}: {}", program.stem().string(), run.error()));
+        if (!run) return Unexpected(fmt::format("{}: {}", program.stem().string(), run.error().message));
         runs.push_back(*std::move(run));
     }
     std::sort(runs.begin(), runs.end(),

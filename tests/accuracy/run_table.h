@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "tests/accuracy/controller.h"
 #include "tests/accuracy/recording.h"
 
@@ -17,13 +16,12 @@ namespace gsim::accuracy {
 std::vector<TableRow> read_rows(std::string_view table);
 
 /// Returns a time in a column, in s. The error quotes the text found in its place.
-tl::expected<double, std::string> column_s(const TableRow& row, std::string_view column);
+Result<double> column_s(const TableRow& row, std::string_view column);
 
 /// Returns the runs of a controller that a table lists, sorted by name, for programs that are in the folder.
 /// Pauses are subtracted from the times, because a simulation has no operator to resume it. The error names
 /// what a line lacks.
-tl::expected<std::vector<Recording>, std::string> listed_runs(const std::filesystem::path& folder,
-                                                              const std::vector<TableRow>& rows,
-                                                              const Controller& controller);
+Result<std::vector<Recording>> listed_runs(const std::filesystem::path& folder,
+                                           const std::vector<TableRow>& rows, const Controller& controller);
 
 }  // namespace gsim::accuracy

@@ -44,7 +44,7 @@ TEST(RunTable, ListsRunsOfProgramsThatAreThere) {
         "gone\tone\tfast\t1\t0\n"
         "a\tone\tfast\t2\t0\t1:0x21\n");
     const auto runs = listed_runs(folder.path(), rows, kBox);
-    ASSERT_TRUE(runs) << runs.error();
+    ASSERT_TRUE(runs) << runs.error().message;
     ASSERT_EQ(runs->size(), 3U);
     EXPECT_EQ((*runs)[0].name, "a fast");
     EXPECT_EQ((*runs)[0].cycle_time_s, 2);
@@ -66,7 +66,7 @@ TEST(RunTable, SaysWhichProgramHasNoTime) {
     const auto runs =
         listed_runs(folder.path(), read_rows("name\tmachine\tkind\ttime_s\na\tone\tx\tsoon\n"), kBox);
     ASSERT_FALSE(runs);
-    EXPECT_EQ(runs.error(), "a: 'soon' is no time");
+    EXPECT_EQ(runs.error().message, "a: 'soon' is no time");
 }
 
 TEST(RunTable, NamesMachinesWithDashes) {

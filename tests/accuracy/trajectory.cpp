@@ -62,21 +62,21 @@ std::optional<Sample> read_sample(std::string_view line, const Columns& columns)
 
 }  // namespace
 
-tl::expected<Trajectory, std::string> read_trajectory(std::istream& csv) {
+Result<Trajectory> read_trajectory(std::istream& csv) {
     std::string line;
     std::getline(csv, line);
     const auto columns = find_columns(line);
-    if (!columns) return tl::unexpected<std::string>("the trajectory lacks a column for time, X, Y or Z");
+    if (!columns) return Unexpected("the trajectory lacks a column for time, X, Y or Z");
     Trajectory trajectory;
     for (long number = 2; std::getline(csv, line); ++number) {
         if (line.empty()) continue;
         const auto sample = read_sample(line, *columns);
         if (!sample || (!trajectory.empty() && sample->t_s < trajectory.back().t_s)) {
-            return tl::unexpected(fmt::format("line {} of the trajectory cannot be understood", number));
+            return Unexpected(fmt::format("line {} of the trajectory cannot be understood", number));
         }
         trajectory.push_back(*sample);
     }
-    if (trajectory.empty()) return tl::unexpected<std::string>("the trajectory is empty");
+    if (trajectory.empty()) return Unexpected("the trajectory is empty");
     return trajectory;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::accuracy {
 
@@ -20,7 +20,7 @@ using Trajectory = std::vector<Sample>;
 
 /// Reads CSV with a header: time `t` or `t_s`, axes `x`, `y`, `z` or `x_mm`, `y_mm`, `z_mm`; other columns
 /// are ignored. The error names the line that cannot be parsed, or in which time runs backwards.
-tl::expected<Trajectory, std::string> read_trajectory(std::istream& csv);
+Result<Trajectory> read_trajectory(std::istream& csv);
 
 /// Returns the position at a time, on the line between the samples around it. Before the first and after the
 /// last sample it is the position of that sample. `trajectory` is not empty.

@@ -12,14 +12,14 @@ using Position = std::array<double, 3>;
 Trajectory read(const std::string& text) {
     std::istringstream csv(text);
     auto trajectory = read_trajectory(csv);
-    EXPECT_TRUE(trajectory) << trajectory.error();
+    EXPECT_TRUE(trajectory) << trajectory.error().message;
     return std::move(trajectory).value_or(Trajectory{});
 }
 
 std::string error(const std::string& text) {
     std::istringstream csv(text);
     const auto trajectory = read_trajectory(csv);
-    return trajectory ? "none" : trajectory.error();
+    return trajectory ? "none" : trajectory.error().message;
 }
 
 TEST(Trajectory, IsReadByTheNamesOfItsColumns) {

@@ -59,7 +59,7 @@ TEST_F(AutopathInCell, WaysLeadPastTheBlockThatARunFindsWithout) {
     EXPECT_TRUE(contains(hit.out, "block")) << hit.out;
     const Ended outcome = autopath({"--cell", "cell.toml"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, "nothing is touched")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "there are no collisions")) << outcome.err;
     const Ended is_clean = drive();
     EXPECT_EQ(is_clean.status, 0) << is_clean.out;
 }
@@ -100,7 +100,7 @@ TEST_F(AutopathInCell, TheWorkOffsetOfTheMachineDataCounts) {
         {"holes.svg", "--speed", "400", "--kerf", "1", "--cell", "cell.toml", "-o", "holes.path.json"},
         folder_);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, "of 3 ways lead round something")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "of 3 linking moves were rerouted")) << outcome.err;
     const Ended is_clean = drive();
     EXPECT_EQ(is_clean.status, 0) << is_clean.out << is_clean.err;
 }

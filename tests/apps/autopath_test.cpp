@@ -62,14 +62,14 @@ TEST_F(AutopathProgram, BadGeometryIsNamedAndLeavesNoFile) {
     expect_refused("part.svg", svg("<path id='p' d='M0 0L10 10L10 0L2 8z'/>"),
                    "path p at line 2 and path p at line 2 meet at (5, 95)");
     expect_refused("part.svg", svg("<path id='p' d='M0 0L10 10L10 0'/>"), "not closed");
-    expect_refused("part.svg", svg("<path d='M0 0L10 10L10 0'"), "no sound XML");
+    expect_refused("part.svg", svg("<path d='M0 0L10 10L10 0'"), "not valid XML");
     expect_refused("part.txt", "", "neither");
 }
 
 TEST_F(AutopathProgram, AMillionEntitiesAreRefused) {
     std::string entities;
     for (int i = 0; i < 1'000'000; ++i) entities += "0\nCIRCLE\n10\n0\n20\n0\n40\n5\n";
-    expect_refused("part.dxf", dxf(entities), "CIRCLE is one too many");
+    expect_refused("part.dxf", dxf(entities), "CIRCLE exceeds the limit of 500000 lines and arcs");
 }
 
 }  // namespace

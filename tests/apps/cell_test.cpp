@@ -154,7 +154,7 @@ TEST_F(Cell, TheTestPartIsCutInItsCellAndAClampInTheWayIsFound) {
     };
     const json is_clean = run(samples + "cell/wheel.toml", 0);
     EXPECT_EQ(is_clean["collisions"].size() + is_clean["clearances"].size(), 0U);
-    const json& looked = is_clean["cell"]["looked_at"];
+    const json& looked = is_clean["cell"]["checked"];
     EXPECT_EQ(looked["objects"], 12);
     EXPECT_EQ(looked["jets"], 1);
     EXPECT_GT(looked["pairs"], 300);

@@ -120,7 +120,7 @@ TEST_F(WholeOutput, APictureThatIsNotDrawnIsToldAndNotThere) {
     const Ended ended =
         shell("chmod +x bin/gnuplot; PATH=$PWD/bin:$PATH; $G run --quiet --plot p.svg part.nc");
     EXPECT_EQ(ended.status, 2);
-    EXPECT_EQ(ended.err, "gsim-run: cannot draw 'p.svg': gnuplot has drawn nothing\n");
+    EXPECT_EQ(ended.err, "gsim-run: cannot draw 'p.svg': gnuplot created no picture\n");
     EXPECT_FALSE(exists("p.svg"));
 }
 

@@ -40,13 +40,13 @@ TEST_F(Dialects, AnUnknownOneIsAUsageError) {
     const Ended studio =
         run_program(tests::program_path("gsim"), {"studio", "--no-browser", "--dialect", "iso"}, folder_);
     EXPECT_EQ(studio.status, 2);
-    EXPECT_TRUE(contains(studio.err, "there is no dialect or control 'iso'")) << studio.err;
+    EXPECT_TRUE(contains(studio.err, "unknown dialect or controller 'iso'")) << studio.err;
 }
 
 TEST_F(Dialects, ACodeOfTheOtherOneIsNamed) {
     const Ended e = gcode2lua({write("part.nc", "G38.2 Z-5 F100\n")});
     EXPECT_EQ(e.status, 1);
-    EXPECT_TRUE(contains(e.err, "RS274/NGC has it")) << e.err;
+    EXPECT_TRUE(contains(e.err, "RS274/NGC supports it")) << e.err;
 }
 
 TEST_F(Dialects, UnknownCodesAreLeftOutOnRequestAndCounted) {
@@ -55,7 +55,7 @@ TEST_F(Dialects, UnknownCodesAreLeftOutOnRequestAndCounted) {
     const Ended e = gcode2lua({"--unknown", "warn", "part.nc"});
     EXPECT_EQ(e.status, 0) << e.err;
     EXPECT_TRUE(contains(e.err, "part.nc:2:1: warning: M77")) << e.err;
-    EXPECT_TRUE(contains(e.err, "(2 in all)")) << e.err;
+    EXPECT_TRUE(contains(e.err, "(2 in total)")) << e.err;
     EXPECT_FALSE(contains(e.out, "x=5")) << "what X5 means is not known without G234\n" << e.out;
     EXPECT_TRUE(contains(e.out, "move{x=2}")) << e.out;
 }

@@ -24,7 +24,7 @@ using geometry::Point;
 using Line = std::vector<Vector3d>;
 using nlohmann::json;
 
-constexpr double kSame_mm = 1e-9;
+constexpr double kSamePoint_mm = 1e-9;
 const std::string kMill = tests::source_path("samples/machines/unlimited.toml");
 
 class DxfOutput : public Apps {
@@ -38,7 +38,7 @@ class DxfOutput : public Apps {
     }
     Drawing on(const std::vector<std::string>& layers) const {
         auto drawing = drawing::read_dxf(read("p.dxf"), {.layers = layers});
-        EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error());
+        EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error().message);
         return drawing.value_or(Drawing{});
     }
     /// Returns the kinds of the entities on a layer, each followed by a blank.
@@ -104,11 +104,11 @@ TEST_F(DxfOutput, HasAnEntityForEachMoveWithItsEnds) {
             if (arc) radius = geometry::radius_mm(drawn_contour.edge(0));
         }
         if (moves[n]["kind"] == "arc_cw") std::swap(first, last);  // DXF knows them counter-clockwise alone
-        EXPECT_LT(distance(first, at), kSame_mm) << n;
-        EXPECT_LT(distance(last, to), kSame_mm) << n;
+        EXPECT_LT(distance(first, at), kSamePoint_mm) << n;
+        EXPECT_LT(distance(last, to), kSamePoint_mm) << n;
         if (arc) {
             const Point center{moves[n]["center"]["X"], moves[n]["center"]["Y"]};
-            EXPECT_NEAR(radius, distance(center, to), kSame_mm) << n;
+            EXPECT_NEAR(radius, distance(center, to), kSamePoint_mm) << n;
         }
         at = to;
     }
@@ -162,8 +162,8 @@ TEST_F(DxfOutput, OtherCurvesAreLinesWithinTheTolerance) {
               kTolerance_mm);
     EXPECT_LE(deviation_mm(lines[1], [](const Vector3d& p) { return std::hypot(p.x() - 30, p.z() + 6); }),
               kTolerance_mm);
-    EXPECT_LT((lines[0].back() - Vector3d(20, 0, -6)).norm(), kSame_mm);
-    EXPECT_LT((lines[1].back() - Vector3d(40, 0, -6)).norm(), kSame_mm);
+    EXPECT_LT((lines[0].back() - Vector3d(20, 0, -6)).norm(), kSamePoint_mm);
+    EXPECT_LT((lines[1].back() - Vector3d(40, 0, -6)).norm(), kSamePoint_mm);
     for (const Line& line : lines) EXPECT_LT(line.size(), 300U);
 }
 
@@ -197,8 +197,8 @@ TEST_F(DxfOutput, EachRobotHasItsOwn) {
     EXPECT_FALSE(exists("p.dxf"));
     for (const auto& [robot, length] : {std::pair("left", 10.0), {"right", 20.0}}) {
         const auto drawing = drawing::read_dxf(read(fmt::format("p.{}.dxf", robot).c_str()), {});
-        ASSERT_TRUE(drawing) << drawing.error();
-        EXPECT_NEAR(move_length(*drawing), length, kSame_mm) << robot;
+        ASSERT_TRUE(drawing) << drawing.error().message;
+        EXPECT_NEAR(move_length(*drawing), length, kSamePoint_mm) << robot;
     }
 }
 

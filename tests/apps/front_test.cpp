@@ -34,24 +34,34 @@ TEST_F(Front, WhatIsNotKnownIsToldWithTheNearestName) {
     const Ended command = gsim({"rum", part_});
     EXPECT_EQ(command.status, 2);
     EXPECT_EQ(command.out, "");
-    EXPECT_EQ(
-        command.err,
-        "gsim: there is no command 'rum'; did you mean 'run'?\ngsim: gsim --help tells what there is\n");
+    EXPECT_EQ(command.err, "gsim: unknown command 'rum'; did you mean 'run'?\ngsim: see gsim --help\n");
     const Ended option = gsim({"run", part_, "--machin", "x.toml"});
     EXPECT_EQ(option.status, 2);
-    EXPECT_EQ(option.err,
-              "gsim-run: there is no option '--machin'; did you mean '--machine'?\n"
-              "gsim-run: gsim-run --help tells what there is\n");
+    EXPECT_EQ(
+        option.err,
+        "gsim-run: unknown option '--machin'; did you mean '--machine'?\ngsim-run: see gsim-run --help\n");
     const Ended sub = gsim({"data", "x.txt", "lits"});
     EXPECT_EQ(sub.status, 2);
-    EXPECT_TRUE(contains(sub.err, "nothing takes 'lits'; did you mean 'list'?")) << sub.err;
+    EXPECT_TRUE(contains(sub.err, "unexpected argument 'lits'; did you mean 'list'?")) << sub.err;
     EXPECT_FALSE(contains(gsim({"run", "--qqqqqqqqqqqqqq"}).err, "did you mean"));
     EXPECT_EQ(gsim({}).status, 2);
 }
 
+TEST_F(Front, ARenamedOptionWorksUnderItsOldNameWithAWarning) {
+    const std::string path =
+        write("p.json", R"({"format": 1, "paths": [{"name": "p", "targets": [{"point_mm": [1, 2, 3]}]}]})");
+    const auto old_name = gsim({"path2gcode", path, "--go-on", "--post", "grbl"});
+    const auto new_name = gsim({"path2gcode", path, "--continue-on-unknown", "--post", "grbl"});
+    EXPECT_EQ(old_name.out, new_name.out);
+    EXPECT_EQ(old_name.status, new_name.status);
+    EXPECT_TRUE(contains(old_name.err, "warning: --go-on is named --continue-on-unknown now"))
+        << old_name.err;
+    EXPECT_FALSE(contains(new_name.err, "warning")) << new_name.err;
+}
+
 TEST_F(Front, AnOptionOfManyValuesLeavesTheNextWordAlone) {
     const Ended ended = gsim({"run", "--envelope", "reach.csv", part_});
-    EXPECT_TRUE(contains(ended.err, "take away part.nc")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "remove part.nc")) << ended.err;
 }
 
 TEST_F(Front, EveryProgramTellsOfItself) {
@@ -60,7 +70,7 @@ TEST_F(Front, EveryProgramTellsOfItself) {
         EXPECT_EQ(help.status, 0) << program;
         EXPECT_TRUE(help.out.starts_with("Usage: " + program + " ")) << help.out;
         EXPECT_TRUE(contains(help.out, "\nExamples:\n")) << program;
-        EXPECT_TRUE(contains(help.out, "\nExit status: 0 done")) << program;
+        EXPECT_TRUE(contains(help.out, "\nExit status: 0 success")) << program;
         const Ended page = gsim({"manual", program});
         EXPECT_EQ(page.status, 0) << program;
         for (const char* heading :
@@ -97,14 +107,14 @@ TEST_F(Front, CompletionsAreForThreeShells) {
 TEST_F(Front, ACheckLooksAtEachProgram) {
     const Ended is_clean = gsim({"check", part_});
     EXPECT_EQ(is_clean.status, 0);
-    EXPECT_TRUE(is_clean.out.starts_with("part.nc: nothing wrong, ")) << is_clean.out;
+    EXPECT_TRUE(is_clean.out.starts_with("part.nc: no errors, ")) << is_clean.out;
     const Ended both = gsim({"check", wrong_, part_});
     EXPECT_EQ(both.status, 1);
     EXPECT_TRUE(contains(both.out, "wrong.nc:1: error: axis X ")) << both.out;
-    EXPECT_TRUE(contains(both.out, "part.nc: nothing wrong")) << both.out;
+    EXPECT_TRUE(contains(both.out, "part.nc: no errors")) << both.out;
     const Ended missing = gsim({"check", "nowhere.nc", part_});
     EXPECT_EQ(missing.status, 2);
-    EXPECT_TRUE(contains(missing.out, "part.nc: nothing wrong")) << missing.out;
+    EXPECT_TRUE(contains(missing.out, "part.nc: no errors")) << missing.out;
     EXPECT_TRUE(contains(missing.err, "nowhere.nc")) << missing.err;
     EXPECT_EQ(gsim({"check"}).status, 2);
 }

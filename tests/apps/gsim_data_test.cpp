@@ -88,18 +88,18 @@ TEST_F(GsimData, Resets) {
 }
 
 TEST_F(GsimData, RefusesWithASentence) {
-    expect_refused({"set", "OFFSET", "54", "X=1e12"}, "d.txt: 1e12 is not between -1e9 and 1e9");
+    expect_refused({"set", "OFFSET", "54", "X=1e12"}, "d.txt: 1e12 must be between -1e9 and 1e9");
     expect_refused({"set", "OFFSET", "53", "X=1"},
-                   "d.txt: '53' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
-    expect_refused({"set", "OFFSET", "54", "X"}, "'X' is no FIELD=VALUE");
+                   "d.txt: '53' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
+    expect_refused({"set", "OFFSET", "54", "X"}, "'X' must be FIELD=VALUE");
     expect_refused({"set", "OFSET", "54", "X=1"},
-                   "'OFSET' is no section; there are OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, "
-                   "SECURITY, WORKING");
+                   "'OFSET' is not a section; known sections: OFFSET, FIXED, REFERENCE, HOME, TOOL, "
+                   "VARIABLE, ALIAS, SECURITY, WORKING");
     expect_refused({"set", "SECURITY", "1", "XMIN=3"},
-                   "d.txt: Xmin is 3 and Xmax is 1; the first must be less");
-    expect_refused({"get", "OFFSET", "56"}, "there is no OFFSET 56 in the file");
-    expect_refused({"reset", "OFFSET", "56"}, "d.txt: there is no OFFSET 56 in the file");
-    expect_refused({"convert"}, "convert takes --inch, --metric, --json or --from-json FILE");
+                   "d.txt: Xmin is 3 and Xmax is 1; min must be less than max");
+    expect_refused({"get", "OFFSET", "56"}, "OFFSET 56 does not exist in the file");
+    expect_refused({"reset", "OFFSET", "56"}, "d.txt: OFFSET 56 does not exist in the file");
+    expect_refused({"convert"}, "convert requires --inch, --metric, --json or --from-json FILE");
     EXPECT_EQ(gsim_data({"d.txt"}).status, 2);
     EXPECT_EQ(gsim_data({"d.txt", "set", "OFFSET", "54", "X=1", "--inch", "--metric"}).status, 2);
     EXPECT_EQ(gsim_data({"none.txt", "list"}).err,
@@ -132,11 +132,12 @@ TEST_F(GsimData, WarnsOfWhatIsSuspect) {
           "3 0 1 0 1 off\nENDFILE\n");
     const Ended e = gsim_data({"d.txt", "--machine", machine(), "check"});
     EXPECT_EQ(e.status, 0);
-    EXPECT_TRUE(
-        contains(e.err, "d.txt:3:6: warning: Y of OFFSET 54 is 3000 mm, beyond the machine's 0 to 2438.4\n"))
+    EXPECT_TRUE(contains(
+        e.err, "d.txt:3:6: warning: Y of OFFSET 54 is 3000 mm, outside the machine's range of 0 to 2438.4\n"))
         << e.err;
-    EXPECT_TRUE(contains(e.err, "d.txt:6:6: warning: Turn stands for 'G777', which is no word of")) << e.err;
-    EXPECT_TRUE(contains(e.err, "d.txt:7:3: warning: 'X' is not a name for an alias")) << e.err;
+    EXPECT_TRUE(contains(e.err, "d.txt:6:6: warning: Turn is an alias of 'G777', which is not a word of"))
+        << e.err;
+    EXPECT_TRUE(contains(e.err, "d.txt:7:3: warning: 'X' is not a valid name of an alias")) << e.err;
     EXPECT_TRUE(contains(e.err, "d.txt:9:3: warning: XMIN of WORKING 1 is -1 mm")) << e.err;
     EXPECT_TRUE(contains(e.err, "d.txt:11:11: warning: zone 3 is off at the start")) << e.err;
     EXPECT_FALSE(contains(e.err, "d.txt:5:")) << e.err;
@@ -171,21 +172,21 @@ TEST_F(GsimData, JsonThatIsNoMachineData) {
         EXPECT_FALSE(exists("back.txt"));
         return e.err;
     };
-    EXPECT_EQ(error("{"), "gsim-data: j.json: byte 2: this is no JSON\n");
-    EXPECT_EQ(error("[1e400]"), "gsim-data: j.json: a number in it is too large: 1e308 is about the most\n");
-    EXPECT_EQ(error("[]"), "gsim-data: j.json: this is no JSON object with a list for each section\n");
-    EXPECT_EQ(error(R"({"OFSET":[]})"), "gsim-data: j.json: 'OFSET' is no section\n");
+    EXPECT_EQ(error("{"), "gsim-data: j.json: byte 2: this is not valid JSON\n");
+    EXPECT_EQ(error("[1e400]"), "gsim-data: j.json: a number is too large: the max is about 1e308\n");
+    EXPECT_EQ(error("[]"), "gsim-data: j.json: this must be a JSON object with a list for each section\n");
+    EXPECT_EQ(error(R"({"OFSET":[]})"), "gsim-data: j.json: 'OFSET' is not a section\n");
     EXPECT_EQ(error(R"({"OFFSET":[{"X":1}]})"),
-              "gsim-data: j.json: an entry of OFFSET is no object with an \"id\"\n");
+              "gsim-data: j.json: an entry of OFFSET must be an object with an \"id\"\n");
     EXPECT_EQ(error(R"({"OFFSET":[{"id":54,"X":"1","Y":1,"Z":1}]})"),
-              "gsim-data: j.json: OFFSET 54: X is no number\n");
+              "gsim-data: j.json: OFFSET 54: X is not a number\n");
     EXPECT_EQ(error(R"({"OFFSET":[{"id":54,"X":1,"Z":1}]})"),
-              "gsim-data: j.json: OFFSET 54: Y is missing, and values stand behind it\n");
+              "gsim-data: j.json: OFFSET 54: Y is missing, but later values are given\n");
     EXPECT_EQ(error(R"({"VARIABLE":[{"id":1,"VALUE":1},{"id":"01","VALUE":1}]})"),
               "gsim-data: j.json: VARIABLE 01: it is given twice\n");
     EXPECT_EQ(error("{\"ALIAS\":[{\"id\":\"Jet\",\"CODE\":\"M8\\nENDFILE\"}]}"),
-              "gsim-data: j.json: ALIAS Jet: CODE: 'M8?ENDFILE' is not one word\n");
-    EXPECT_EQ(error(std::string(100000, '[')), "gsim-data: j.json: byte 100001: this is no JSON\n");
+              "gsim-data: j.json: ALIAS Jet: CODE: 'M8?ENDFILE' must be one word\n");
+    EXPECT_EQ(error(std::string(100000, '[')), "gsim-data: j.json: byte 100001: this is not valid JSON\n");
 }
 
 TEST_F(GsimData, AFileThatCannotBeWrittenStaysWhole) {

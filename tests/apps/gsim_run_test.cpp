@@ -59,8 +59,8 @@ TEST_F(GsimRun, ExplainsWhereTheTimeGoes) {
     EXPECT_NEAR(r["lower_bound_s"].get<double>(), line_s + 1 + short_s, 1e-6);
     EXPECT_EQ(r["slowest"][0]["limited_by"], "feed");
     const std::string text = gsim_run({part, "--explain"}).out;
-    EXPECT_TRUE(contains(text, "where the time goes")) << text;
-    EXPECT_TRUE(contains(text, "(the program takes 1.00 times as long)")) << text;
+    EXPECT_TRUE(contains(text, "time by cause")) << text;
+    EXPECT_TRUE(contains(text, "(the program takes 1.00 times this)")) << text;
     EXPECT_FALSE(contains(gsim_run({part}).out, "lower bound"));
     EXPECT_FALSE(report({part}).contains("time_by_limit"));
     EXPECT_FALSE(report({part}).contains("lower_bound_s"));
@@ -79,7 +79,7 @@ TEST_F(GsimRun, AnAlarmIsStatusOneWithWhatCameBefore) {
     EXPECT_EQ(quiet.status, 1);
     EXPECT_TRUE(quiet.err.starts_with("part.nc:3: alarm: ")) << quiet.err;
     EXPECT_EQ(gsim_run({"part.nc", "--quiet"}).err,
-              "part.nc:3: axis X goes to 5000 mm, 3171.2 mm past its limit of 1828.8 mm\n");
+              "part.nc:3: axis X moves to 5000 mm, 3171.2 mm past its limit of 1828.8 mm\n");
 }
 
 TEST_F(GsimRun, AProgramWithErrorsIsNotRun) {
@@ -105,17 +105,16 @@ TEST_F(GsimRun, Limits) {
 
 TEST_F(GsimRun, PassesOfAProgramThatRunsForEver) {
     const std::string part = write("part.nc", "G0 X100\nX0\nM99\n");
-    EXPECT_TRUE(
-        contains(gsim_run({part}).out,
-                 "passes      1 of the main program, which leads back to its start; --passes runs more\n"
-                 "  back at   part.nc:3\n"));
+    EXPECT_TRUE(contains(gsim_run({part}).out,
+                         "passes      1 of the main program, which jumps back to its start; --passes runs "
+                         "more\n  jump at   part.nc:3\n"));
     const json r = report({part, "--passes", "2"});
     EXPECT_EQ(r["passes"].dump(), R"({"count":2,"file":"part.nc","line":3,"to_block":null})");
     EXPECT_EQ(r["moves"], 4);
     const Ended check = run_program(tests::program_path("gsim"), {"check", part}, folder_);
     EXPECT_EQ(check.status, 0);
     EXPECT_TRUE(
-        check.out.starts_with("part.nc:3: note: passes: 1 of the main program, which leads back to its "
+        check.out.starts_with("part.nc:3: note: passes: 1 of the main program, which jumps back to its "
                               "start; --passes runs more\n"));
     EXPECT_NE(gsim_run({part, "--passes", "0"}).status, 0);
 }

@@ -95,7 +95,7 @@ TEST_F(Limits, ARefusalTellsWhatAsksForHowMuch) {
     EXPECT_EQ(run.status, 1);
     const std::string message = text::parse_json<json>(run.out)["alarm"]["message"];
     EXPECT_TRUE(contains(message, "needs more memory than the run may use, 64 MB (--memory): ")) << message;
-    EXPECT_TRUE(contains(message, "in use, and it asks for 1024.0 MB")) << message;
+    EXPECT_TRUE(contains(message, "MB are used, and 1024.0 MB more are requested")) << message;
 }
 
 TEST_F(Limits, TextsOfScriptsAreOfTheMemory) {

@@ -34,17 +34,17 @@ TEST_F(Modules, AreNotFoundElsewhere) {
     std::filesystem::create_directories(folder_ / "main");
     std::filesystem::create_symlink("../outside.lua", folder_ / "main/link.lua");
     EXPECT_EQ(said("require \"link\""),
-              "main/part.lua:1: alarm: require \"link\": link.lua is a link that leads out of the folder of "
+              "main/part.lua:1: alarm: require \"link\": link.lua is a link to a file outside the folder of "
               "the script\n");
     const std::string names =
-        "a module's name has letters, digits, _ and -, and dots for folders within that of the "
-        "script: \"lib.shapes\" is lib/shapes.lua there\n";
+        "the name of a module may have letters, digits, _ and -, and dots for subfolders of the script's "
+        "folder: \"lib.shapes\" is lib/shapes.lua there\n";
     for (const std::string name : {"../outside", "/etc/passwd", "..outside", "", "lib/two"})
         EXPECT_EQ(said("require \"" + name + "\""),
                   "main/part.lua:1: alarm: require \"" + name + "\": " + names);
-    EXPECT_EQ(
-        said("require \"none\""),
-        "main/part.lua:1: alarm: require \"none\": there is no file none.lua in the folder of the script\n");
+    EXPECT_EQ(said("require \"none\""),
+              "main/part.lua:1: alarm: require \"none\": the file none.lua does not exist in the folder of "
+              "the script\n");
 }
 
 TEST_F(Modules, ThatRequireThemselvesAreAnAlarm) {

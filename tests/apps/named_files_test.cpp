@@ -42,7 +42,8 @@ class NamedFiles : public Apps {
 
 std::string destroys(const std::string& output, const std::string& input) {
     return fmt::format(
-        "{} and {} are the same file, which would be read and overwritten; give the output a file of its own",
+        "{} and {} are the same file, which would be read and overwritten; use a separate file for the "
+        "output",
         output, input);
 }
 
@@ -77,7 +78,7 @@ TEST_F(NamedFiles, AnOutputIsNoInput) {
 
 TEST_F(NamedFiles, TwoOutputsAreTwoFiles) {
     const auto same = [](const std::string& a, const std::string& b) {
-        return fmt::format("{} and {} are the same file; give each output a file of its own", a, b);
+        return fmt::format("{} and {} are the same file; use a separate file for each output", a, b);
     };
     fs::create_directory_symlink(".", folder_ / "here");
     EXPECT_EQ(rejected({"run", "p.nc", "--report", "a", "--moves", "a"}),
@@ -99,9 +100,9 @@ TEST_F(NamedFiles, RobotsFilesAreTheirOwn) {
     write("d.left.txt", kData);
     EXPECT_EQ(rejected({"run", "p.nc", "--robots", "robots.toml", "--moves", "m.json", "--report",
                         "./m.left.json"}),
-              "'m.left.json', of the robot left, is the report, too; give one of them another name");
+              "'m.left.json' of the robot left is also the report; give one of them another name");
     EXPECT_EQ(rejected({"run", "p.nc", "--robots", "robots.toml", "--moves", "d.txt"}),
-              "'d.left.txt', of the robot left, is its machine data, too; give one of them another name");
+              "'d.left.txt' of the robot left is also its machine data; give one of them another name");
     EXPECT_EQ(read("d.left.txt"), kData);
 }
 
@@ -134,11 +135,11 @@ TEST_F(NamedFiles, StandardOutputTakesOne) {
                                                {"check", "--json", "--sarif", "-", "p.nc"}}) {
         const Ended ended = gsim(arguments);
         EXPECT_EQ(ended.status, 2);
-        EXPECT_TRUE(contains(ended.err + ended.out, "both want standard output")) << ended.err << ended.out;
+        EXPECT_TRUE(contains(ended.err + ended.out, "both use standard output")) << ended.err << ended.out;
     }
     const Ended check = gsim({"check", "--sarif", "-", "p.nc"});
     EXPECT_TRUE(check.out.starts_with("{")) << "text makes way";
-    EXPECT_TRUE(contains(check.err, "p.nc: nothing wrong"));
+    EXPECT_TRUE(contains(check.err, "p.nc: no errors"));
 }
 
 TEST_F(NamedFiles, WhatIsMeantStaysAllowed) {

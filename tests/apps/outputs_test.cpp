@@ -67,7 +67,7 @@ TEST_F(Outputs, NamesThatWillNotDoAreRefusedBeforeTheRun) {
     EXPECT_EQ(gsim_run({alarms, "--quiet", "--plot", "no/such/p.svg"}).err,
               "gsim-run: cannot write 'no/such/p.svg': No such file or directory\n");
     EXPECT_EQ(gsim_run({alarms, "--quiet", "--plot", "p.pdf"}).err,
-              "gsim-run: cannot draw 'p.pdf': a picture's name ends in .svg or .png\n");
+              "gsim-run: cannot draw 'p.pdf': the name of a picture must end in .svg or .png\n");
     EXPECT_TRUE(contains(gsim_run({alarms, "--quiet", "--plot", "p.svg", "--plot-plane", "xz"}).err,
                          "xz not in {xy,zx,yz}"));
 }
@@ -115,13 +115,13 @@ TEST_F(Outputs, GoToStandardOutput) {
 TEST_F(Outputs, ShareNoStream) {
     const Ended two = gsim_run({part_, "--moves", "-", "--trajectory", "-"});
     EXPECT_EQ(two.status, 2);
-    EXPECT_TRUE(contains(two.err, "--moves - and --trajectory - both want standard output")) << two.err;
+    EXPECT_TRUE(contains(two.err, "--moves - and --trajectory - both use standard output")) << two.err;
     const Ended as_json = gsim_run({part_, "--json", "--moves", "-"});
     EXPECT_EQ(as_json.status, 2);
-    EXPECT_TRUE(contains(as_json.out, "both want standard output")) << as_json.out;
+    EXPECT_TRUE(contains(as_json.out, "both use standard output")) << as_json.out;
     const Ended plot = gsim_run({part_, "--plot", "-"});
     EXPECT_EQ(plot.status, 2);
-    EXPECT_TRUE(contains(plot.err, "--plot needs the name of a file")) << plot.err;
+    EXPECT_TRUE(contains(plot.err, "--plot requires a file name")) << plot.err;
 }
 
 TEST_F(Outputs, RoundedCornersHaveTheirDeviation) {

@@ -62,20 +62,20 @@ TEST_F(OverrideOption, OfNothingTheReportSaysNothing) {
 
 TEST_F(OverrideOption, RangesAreThoseOfTheController) {
     rejected("grbl-router", {"--feed-override", "9"},
-             "--feed-override 9: the controller grbl-1.1 takes from 10 to 200 %");
+             "--feed-override 9: the controller grbl-1.1 supports from 10 to 200 %");
     rejected("grbl-router", {"--rapid-override", "33"},
-             "--rapid-override 33: the controller grbl-1.1 takes 25, 50 or 100 %");
+             "--rapid-override 33: the controller grbl-1.1 supports 25, 50 or 100 %");
     rejected("klipper-router", {"--feed-override", "90"},
-             "--feed-override 90: the planner \"klipper\" follows no override; M220 in the program sets its "
+             "--feed-override 90: the planner \"klipper\" supports no override; M220 in the program sets its "
              "speed factor");
     rejected("linuxcnc-router", {"--feed-override", "120"},
-             "--feed-override 120: the controller linuxcnc-2.9 takes from 0 to 100 %");
+             "--feed-override 120: the controller linuxcnc-2.9 supports from 0 to 100 %");
     rejected("linuxcnc-router", {"--spindle-override", "20"},
-             "--spindle-override 20: the controller linuxcnc-2.9 takes from 50 to 200 %");
+             "--spindle-override 20: the controller linuxcnc-2.9 supports from 50 to 200 %");
     rejected("router3", {"--rapid-override", "101"},
-             "--rapid-override 101: the controller exact-stop takes from 0 to 100 %");
+             "--rapid-override 101: the controller exact-stop supports from 0 to 100 %");
     rejected("router3", {"--feed-override", "nan"}, "from 0 to 200 %");
-    rejected("router3", {"--feed-override", "0"}, "--feed-override 0 would hold the machine for ever");
+    rejected("router3", {"--feed-override", "0"}, "--feed-override 0 would stop the machine indefinitely");
     rejected("router3", {"--spindle-override", "0"}, "a spindle at 0 %");
 }
 
@@ -94,21 +94,23 @@ TEST_F(OverrideOption, AFileIsReadStrictly) {
     refused_file("[[override]]\nat_s = 1\nfeed = 50\n",
                  "turned.toml:3:1: unknown key 'feed' in [[override]]");
     refused_file("[[override]]\nfeed_percent = 50\n", "turned.toml:1:1: [[override]] lacks the key 'at_s'");
-    refused_file("[[override]]\nat_s = 1\n", "turned.toml:2:8: [[override]] turns nothing");
+    refused_file("[[override]]\nat_s = 1\n", "turned.toml:2:8: [[override]] changes nothing");
     refused_file("[[override]]\nat_s = -1\nfeed_percent = 50\n", "turned.toml:2:8: 'at_s' must be");
-    refused_file("[[override]]\nat_s = 1\nfeed_percent = 250\n",
-                 "turned.toml:3:16: 'feed_percent' is 250: the controller exact-stop takes from 0 to 200 %");
+    refused_file(
+        "[[override]]\nat_s = 1\nfeed_percent = 250\n",
+        "turned.toml:3:16: 'feed_percent' is 250: the controller exact-stop supports from 0 to 200 %");
     refused_file("[[override]]\nat_s = 5\nfeed_percent = 50\n[[override]]\nat_s = 5\nfeed_percent = 60\n",
-                 "turned.toml:5:8: 'at_s' is 5, not behind the one above, 5");
-    refused_file("[[override]]\nat_s = 5\nrapid_percent = 0\n", "leaves the machine held (0 %)");
+                 "turned.toml:5:8: 'at_s' is 5; it must be greater than the one above, 5");
+    refused_file("[[override]]\nat_s = 5\nrapid_percent = 0\n", "stops the machine (0 %)");
     refused_file("overrides = 3\n", "turned.toml:1:1: unknown key 'overrides'");
     rejected("router3", {"--overrides", "none.toml"}, "none.toml");
 }
 
 TEST_F(OverrideOption, AModuleHasOverridesOfItsOwn) {
     for (const std::string option : {"--feed-override", "--rapid-override", "--spindle-override"}) {
-        rejected("router3", {option, "50", "--rcs", tests::default_module_path()},
-                 option + " does not go with --rcs: a module has an override of its own, SetOverrideSpeed");
+        rejected(
+            "router3", {option, "50", "--rcs", tests::default_module_path()},
+            option + " cannot be combined with --rcs: a module has a separate override, SetOverrideSpeed");
     }
 }
 

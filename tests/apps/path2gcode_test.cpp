@@ -120,10 +120,9 @@ TEST_F(Path2Gcode, FilesOfSubPathsReplaceNoOthers) {
     const std::vector<std::string> repeated = {"--separate-files", "-o", "wheel.nc", kWheel};
     const Ended rejected = path2gcode(repeated);
     EXPECT_EQ(rejected.status, 2);
-    EXPECT_EQ(
-        rejected.err,
-        "path2gcode: the post calls the file of a subprogram 'wheel_O0002.ppg', which is there already; "
-        "--overwrite replaces it\n");
+    EXPECT_EQ(rejected.err,
+              "path2gcode: the subprogram file 'wheel_O0002.ppg' of the post already exists; --overwrite "
+              "replaces it\n");
     EXPECT_EQ(read("wheel_O0002.ppg"), "of somebody else");
     EXPECT_EQ(files(), 1U) << "nothing is written";
     EXPECT_EQ(path2gcode({"--separate-files", "--overwrite", "-o", "wheel.nc", kWheel}).status, 0);
@@ -142,18 +141,18 @@ TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
         return ended.err;
     };
     EXPECT_EQ(rejected("./sub0002.nc", kWheel),
-              "path2gcode: the post calls the file of a subprogram './sub0002.nc', which is the program "
-              "itself; give "
-              "the output another name or another folder\n");
+              "path2gcode: the subprogram file './sub0002.nc' of the post is also the program itself; choose "
+              "another name or folder for the output\n");
     std::ifstream file(kWheel);
     const std::string path{std::istreambuf_iterator<char>(file), {}};
     write("sub0002.nc", path);
     std::filesystem::create_hard_link(folder_ / "sub0002.nc", folder_ / "in.path.json");
-    EXPECT_TRUE(contains(rejected("wheel.nc", "in.path.json"), "which is the path;"));
+    EXPECT_TRUE(contains(rejected("wheel.nc", "in.path.json"), "'sub0002.nc' of the post is also the path;"));
     EXPECT_EQ(read("sub0002.nc"), path);
     std::filesystem::remove(folder_ / "sub0002.nc");
     std::filesystem::create_symlink("in.path.json", folder_ / "sub0002.nc");
-    EXPECT_TRUE(contains(rejected("wheel.nc", kWheel), "which is there and no regular file"));
+    EXPECT_TRUE(
+        contains(rejected("wheel.nc", kWheel), "'sub0002.nc' of the post exists and is not a regular file"));
     EXPECT_EQ(read("in.path.json"), path);
 }
 
@@ -206,7 +205,7 @@ TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
     EXPECT_TRUE(contains(rejected(head + start + ",\n" + R"({"position_mm": [1, 2, 3000]}]}]})"),
                          "p.path.json:3:1: error: out of reach: Z 3000 is outside 0 to 609.6"));
     EXPECT_TRUE(contains(rejected(head + start + ",\n" + R"({"path": "a"}]}]})"),
-                         "p.path.json:3:1: error: the path 'a' leads back to itself"));
+                         "p.path.json:3:1: error: the path 'a' contains itself"));
     EXPECT_TRUE(contains(rejected(head + R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0}}]}]})"),
                          "p.path.json:2:1: error: the motion needs 'feed_mm_min'"));
     EXPECT_TRUE(contains(rejected(head + start + "]}]}", {"--dialect", "grbl"}), "axes XYZ"));
@@ -253,7 +252,8 @@ TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
             {"motion": "circular", "position_mm": [120, 120, 140], "via_mm": [110, 130, 120], "dwell_s": 0.1,
              "actions": ["abrasive_on", "waterjet_on", "a (name)", "waterjet_off", "abrasive_off"]}]}]})json");
     for (const std::string& input : {std::string("part.path.json"), kWheel}) {
-        const Ended written = path2gcode({"--dialect", "rs274ngc", "--go-on", "-o", "part.ngc", input});
+        const Ended written =
+            path2gcode({"--dialect", "rs274ngc", "--continue-on-unknown", "-o", "part.ngc", input});
         ASSERT_EQ(written.status, 0) << written.err;
         const Ended canon = run_rs274(folder_, "part.ngc");
         ASSERT_EQ(canon.status, 0) << canon.err.substr(0, 2000);

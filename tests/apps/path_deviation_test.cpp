@@ -185,8 +185,8 @@ TEST_F(PathDeviationMonitor, OfFeedAndRapidApart) {
     EXPECT_EQ(outcome.blends["max_deviation_mm"], outcome.blends["rapid"]["max_deviation_mm"]);
     const Ended text = gsim_run({"part.ngc", "--dialect", "rs274ngc", "--machine", "m.toml"});
     EXPECT_NE(text.out.find("rounded     4 corners\n"
-                            "  feed      at most 0.0200 mm off, at part.ngc:3\n"
-                            "  rapid     at most 0.5000 mm off, at part.ngc:6\n"),
+                            "  feed      max deviation 0.0200 mm, at part.ngc:3\n"
+                            "  rapid     max deviation 0.5000 mm, at part.ngc:6\n"),
               std::string::npos)
         << text.out;
 }

@@ -27,7 +27,7 @@ class PersistentFiles : public Apps {
     }
     std::string rejection(const std::string& name) const {
         return fmt::format(
-            "cannot change '{}': another program is changing it, and has not ended within 0 s (its lock "
+            "cannot change '{}': another program is changing it, and has not finished within 0 s (its lock "
             "is '{}')\n",
             name, (std::filesystem::canonical(folder_) / ("." + name + ".lock")).string());
     }

@@ -149,8 +149,8 @@ TEST_F(ProbeOffset, WhatTouchesNothingIsAnAlarm) {
     write("d.txt", "NCFILE\nOFFSET\n55 304 97 -66\nENDFILE\n");
     for (const auto& [dialect, message] :
          {std::pair<std::string, std::string>{"ab9", "THE PROBE TOUCHED NOTHING"},
-          {"rs274ngc", "the probe has not touched anything"},
-          {"grbl", "the probe has not touched anything"}}) {
+          {"rs274ngc", "the probe has not made contact"},
+          {"grbl", "the probe has not made contact"}}) {
         const Ended ran =
             run(written(dialect), dialect, {"--machine-data", "d.txt", "--save-machine-data", "s.txt"});
         EXPECT_EQ(ran.status, 1) << dialect;
@@ -210,14 +210,13 @@ TEST_F(ProbeOffset, WhatCannotBeIsRefused) {
     const std::string post{std::istreambuf_iterator<char>(file), {}};
     write("mine.toml", std::regex_replace(post, std::regex("\\[probe\\]\ntouch.*\n"), ""));
     EXPECT_TRUE(contains(rejected(kTouches, {"--dialect", "mine.toml"}),
-                         "the post 'grbl' has no words that find a work offset by touches ([probe] touch)"));
+                         "the post 'grbl' has no words to measure a work offset by touches ([probe] touch)"));
     EXPECT_TRUE(contains(rejected(R"("set_offset_mm": [304, 97, 0], )" + kTouches),
                          "p.path.json:1:12: error: out of reach: Z 15 is outside -120 to 0"));
     std::string with_tool = kTouches;
     with_tool.replace(with_tool.find("\"axis\""), 0, "\"tool\": 9, ");
     EXPECT_TRUE(contains(rejected(with_tool),
-                         "a touch names its tool, so that the path that the program begins with must "
-                         "name its own"));
+                         "a touch has a tool, so the first path of the program must have a tool, too"));
     EXPECT_TRUE(
         contains(rejected(with_tool + R"(, "tool": 3)", {"--dialect", "grbl"}),
                  "the post 'grbl' has no words for 'tool_change T3', 'tool_change T9', 'tool_length H3', "

@@ -107,7 +107,7 @@ TEST_F(Probe, WhatItDoesNotFeelItCollidesWith) {
 
 TEST_F(Probe, InTheCellNothingFoundIsAnAlarm) {
     const json r = report("G21 F600\nG0 X50 Y200\nG38.2 X100\nM2\n", {"--cell", cell(true)}, 1);
-    EXPECT_EQ(r["alarm"]["message"], "G38.2 has come to its end, and the probe has not touched anything");
+    EXPECT_EQ(r["alarm"]["message"], "G38.2 has reached its end, but the probe has not made contact");
     EXPECT_EQ(r["alarm"]["line"], 3);
 }
 
@@ -129,8 +129,8 @@ DEBUG("%.4f", v[5061])
 TEST_F(Probe, TheOptionSaysWhatItTakes) {
     const std::string program = "G21 F600\nG38.2 X30\nM2\n";
     const std::string accepts =
-        "--probe takes none, or where a plane lies that stops probes, as x=, y= or z= in mm of machine "
-        "coordinates (z=-3.2), not '";
+        "--probe must be none, or the position of a plane that stops probes, as x=, y= or z= in mm of "
+        "machine coordinates (z=-3.2), not '";
     for (const std::string value : {"z", "z=", "z=1mm", "a=1", "all", "z=nan", "z=inf", "=3"}) {
         const Ended e = gsim_run(arguments(program, {"--probe", value}));
         EXPECT_EQ(e.status, 2);
@@ -144,7 +144,7 @@ TEST_F(Probe, TheOptionSaysWhatItTakes) {
     EXPECT_EQ(arm.err, "gsim-run: --probe: the machine has no linear axis Z\n");
     const Ended robots =
         gsim_run({write("part.lua", ""), "--robots", write("r.toml", ""), "--probe", "none"});
-    EXPECT_EQ(robots.err, "gsim-run: --probe does not go with --robots\n");
+    EXPECT_EQ(robots.err, "gsim-run: --probe cannot be combined with --robots\n");
 }
 
 TEST_F(Probe, ACheckTakesTheOptionToo) {
@@ -156,7 +156,7 @@ TEST_F(Probe, ACheckTakesTheOptionToo) {
     EXPECT_EQ(check("x=20").status, 0);
     const Ended nothing = check("none");
     EXPECT_EQ(nothing.status, 1);
-    EXPECT_TRUE(contains(nothing.out, "G38.2 has come to its end, and the probe has not touched anything"));
+    EXPECT_TRUE(contains(nothing.out, "G38.2 has reached its end, but the probe has not made contact"));
 }
 
 TEST_F(Probe, TheRecordedPathEndsWhereTheMachineStood) {
@@ -186,7 +186,7 @@ TEST_F(Probe, AModuleThatCannotBeStoppedIsAnAlarm) {
         report("G21 F600\nG38.2 X300\nM2\n",
                {"--probe", "x=100", "--rcs", tests::build_path("lib/test_modules/small_module.so")}, 1);
     EXPECT_EQ(r["alarm"]["message"],
-              "this controller cannot stop a probe where it touches: it has no StopMotion");
+              "this controller cannot stop a probe at the contact: it has no StopMotion");
 }
 
 }  // namespace

@@ -153,14 +153,12 @@ TEST_F(Rapids, WhatCannotDoWithoutInterpolationIsRefused) {
         EXPECT_EQ(e.status, 2);
         return e.err;
     };
-    EXPECT_TRUE(
-        contains(error_of(make_machine(false, 0) + "planner = \"look-ahead\"\n"),
-                 "'interpolated_rapids = false' is of the planner \"rest-to-rest\" alone: in the others "
-                 "all axes go in proportion"));
-    EXPECT_TRUE(
-        contains(error_of(make_machine(false, 0) + "[path]\nmax_rapid_mm_s = 500.0\n"),
-                 "'interpolated_rapids = false' does not go with 'max_rapid_mm_s': each axis has its own "
-                 "speed, and nothing keeps that of the tool"));
+    EXPECT_TRUE(contains(error_of(make_machine(false, 0) + "planner = \"look-ahead\"\n"),
+                         "'interpolated_rapids = false' needs the planner \"rest-to-rest\": in the others "
+                         "all axes move in proportion"));
+    EXPECT_TRUE(contains(error_of(make_machine(false, 0) + "[path]\nmax_rapid_mm_s = 500.0\n"),
+                         "'interpolated_rapids = false' cannot be combined with 'max_rapid_mm_s': each axis "
+                         "has its own speed, so the tool speed is not limited"));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST_F(ReadRights, APipeThatAFileNamesIsAnError) {
     make_pipe("pipe.stl");
     make_pipe("pipe.txt");
     write("part.nc", "G0 X1\nM2\n");
-    const std::string message = "it is a pipe; a file or script may name regular files only";
+    const std::string message = "it is a pipe; a file or script may name only regular files";
     for (const std::string cell :
          {"[cell]\nname = \"c\"\nmachine = \"pipe.toml\"\n",
           "[cell]\nname = \"c\"\nmachine_data = \"pipe.txt\"\n",
@@ -66,7 +66,7 @@ TEST_F(ReadRights, CalledProgramsStayInTheFolderOfTheScript) {
     EXPECT_NE(ended.status, 0);
     EXPECT_FALSE(contains(ended.out + ended.err, "secret\n")) << ended.out;
     EXPECT_TRUE(
-        contains(ended.out + ended.err, "sub.lua is a link that leads out of the folder of the script"))
+        contains(ended.out + ended.err, "sub.lua is a link to a file outside the folder of the script"))
         << ended.out << ended.err;
     write("inside/main.lua", "run('near')\n");
     const Ended near = gsim_run({"inside/main.lua"});

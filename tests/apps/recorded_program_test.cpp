@@ -110,10 +110,10 @@ TEST_F(RecordedProgram, ASpindleThatAChangeOfTheToolStopsIsSetGoingAgain) {
 // The same subprogram, once with the spindle on and once with it off.
 TEST_F(RecordedProgram, AChangeOfTheToolWithTheSpindleOnAndOffIsRefused) {
     record("M3\nG1 X10 F600\nM98 P2\nM5\nG1 X10\nM98 P2\nM30\n%\nO2\nM6\nG0 X20\nM99\n");
-    EXPECT_EQ(rejection({"--dialect", "rs274ngc"}),
-              "x.path.json:8:1: error: this control stops the spindle to change the tool, and the "
-              "places that lead to this change hand over different states of it; switch it by an action in "
-              "front of the change\n");
+    EXPECT_EQ(
+        rejection({"--dialect", "rs274ngc"}),
+        "x.path.json:8:1: error: this controller stops the spindle to change the tool, and the paths that "
+        "lead to this change have different states of it; switch it by an action before the change\n");
     EXPECT_TRUE(contains(written(), "M06\n"));
 }
 
@@ -122,14 +122,13 @@ TEST_F(RecordedProgram, WhatAControlHasNoWordForIsRefusedByName) {
     EXPECT_EQ(rejection({"--dialect", "rs274ngc"}),
               "error: the post 'rs274ngc' has no words for 'ramp_limit acceleration X 500 mm', 'ramp_limit "
               "acceleration "
-              "X 600 mm'; with --go-on they become comments\n");
-    const Ended went_on = path2gcode({"--dialect", "rs274ngc", "--go-on", "x.path.json"});
+              "X 600 mm'; with --continue-on-unknown they become comments\n");
+    const Ended went_on = path2gcode({"--dialect", "rs274ngc", "--continue-on-unknown", "x.path.json"});
     EXPECT_EQ(went_on.status, 0);
-    EXPECT_EQ(
-        went_on.err,
-        "note: 'ramp_limit acceleration X 500 mm' is a comment, 1 times: the post 'rs274ngc' has no block "
-        "for it\nnote: 'ramp_limit acceleration X 600 mm' is a comment, 1 times: the post 'rs274ngc' has "
-        "no block for it\n");
+    EXPECT_EQ(went_on.err,
+              "note: 'ramp_limit acceleration X 500 mm' is written as a comment, 1 times: the post "
+              "'rs274ngc' has no block for it\nnote: 'ramp_limit acceleration X 600 mm' is written as a "
+              "comment, 1 times: the post 'rs274ngc' has no block for it\n");
     EXPECT_TRUE(contains(went_on.out, "(action: ramp_limit acceleration X 500 mm)\n")) << went_on.out;
 }
 
@@ -140,8 +139,8 @@ TEST_F(RecordedProgram, OffsetsThatCannotBeWrittenAreRefused) {
           R"json({"paths": [{"name": "a", "targets": [{"position_mm": [1, 2, 3], "feed_mm_min": 9,
              "rotary_deg": {"B": 0, "C": 0}}]}]})json");
     EXPECT_EQ(path2gcode({"--offsets", "keep", "hand.path.json"}).err,
-              "error: --offsets keep is for recorded paths (gsim-run --record), which say what offsets were "
-              "in force\n");
+              "error: --offsets keep applies to recorded paths (gsim-run --record), which contain the active "
+              "offsets\n");
     const auto recorded_in = [this](const std::string& offsets) {
         write("x.path.json", R"json({"work_offsets": )json" + offsets +
                                  R"json(, "paths": [{"name": "a", "targets": [{"position_mm": [1, 2, 3],
@@ -150,13 +149,12 @@ TEST_F(RecordedProgram, OffsetsThatCannotBeWrittenAreRefused) {
     recorded_in(R"({"505": {"X": 1}})");
     EXPECT_EQ(rejection({"--dialect", "rs274ngc"}),
               "error: the post 'rs274ngc' has no word for the work offset G505; --offsets none or G53 writes "
-              "the program "
-              "without\n");
+              "the program without it\n");
     recorded_in(R"({"505": {}, "54": {"X": 1, "rotation_deg": 30}})");
     EXPECT_TRUE(contains(rejection({"--dialect", "ab9"}), "G505"));
     recorded_in(R"({"54": {"X": 1, "rotation_deg": 30}})");
     EXPECT_TRUE(contains(rejection({"--dialect", "ab9"}),
-                         "'work_offset' names '505', which is none of the program's 'work_offsets'"));
+                         "'work_offset' is '505', which is not one of the program's 'work_offsets'"));
 }
 
 // Rotary axes keep their positions, full turns included, without an option.

@@ -99,7 +99,7 @@ TEST_F(SavedData, AValueThatNoFileHoldsIsAnError) {
     const Ended e = gsim_run({"--quiet", "--machine-data", "d.txt", "--save-machine-data", "d.txt",
                               write("part.nc", "#500=1000000*1000000\nM2\n")});
     EXPECT_EQ(e.status, 2);
-    EXPECT_EQ(e.err, "gsim-run: d.txt is not written: 1000000000000 is not between -1e9 and 1e9\n");
+    EXPECT_EQ(e.err, "gsim-run: d.txt is not written: 1000000000000 must be between -1e9 and 1e9\n");
     EXPECT_EQ(read("d.txt"), kData);
     EXPECT_EQ(gsim_run({"--quiet", "--save-machine-data", "no/such/d.txt", "part.nc"}).status, 2);
 }

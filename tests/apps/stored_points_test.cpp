@@ -56,7 +56,7 @@ TEST_F(StoredPoints, OneThatIsNotThereIsAnAlarm) {
     const Ended ran =
         gsim_run({write("part.lua", "G53() G0(fixed \"CLAMP7\")\n"), "--machine-data", "d.txt"});
     EXPECT_EQ(ran.status, 1);
-    EXPECT_TRUE(contains(ran.out + ran.err, "no fixed point has that name; there are 1 (PARK), 2 (CLAMP1)."))
+    EXPECT_TRUE(contains(ran.out + ran.err, "no fixed point has that name; available: 1 (PARK), 2 (CLAMP1)."))
         << ran.out << ran.err;
 }
 

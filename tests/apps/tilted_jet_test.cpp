@@ -110,7 +110,8 @@ TEST_F(LeaningJet, GoesAgainstTheTaper) {
     const double share = 307.87 / 1089.1;  // of the separation speed: AMaterialGivesTheSpeedsAndThePrice
     const double wall_tilt_deg = std::atan(0.25 * share / 12) * kDegPerRad;
     std::size_t on_part = 0;
-    for (const Sample& sample : drive({"--material", "aluminum", "--thickness", "12", "--straighten"})) {
+    for (const Sample& sample :
+         drive({"--material", "aluminum", "--thickness", "12", "--taper-compensation"})) {
         if (!sample.cuts()) continue;
         EXPECT_LT(sample.leans_deg(), wall_tilt_deg + 2e-3);
         if (std::abs(sample.top_radius_mm() - (kPart_mm + 1.1025 / 2)) > 3e-3) continue;
@@ -125,7 +126,7 @@ TEST_F(LeaningJet, GoesAgainstTheTaper) {
 
 // The jet moves back and forth on the lead, for the time that the material takes.
 TEST_F(LeaningJet, AMovingPierceTakesItsTimeOnTheLead) {
-    drive({"--speed", "300", "--kerf", "0.8", "--pierce", "4", "--moving-pierce"});
+    drive({"--speed", "300", "--kerf", "0.8", "--pierce", "4", "--dynamic-pierce"});
     const json path = text::parse_json<json>(read("ring.path.json"));
     for (std::size_t contour = 1; contour < path["paths"].size(); ++contour) {
         const json& targets = path["paths"][contour]["targets"];
@@ -159,8 +160,8 @@ TEST_F(LeaningJet, WhatIsNotKnownIsAskedFor) {
         EXPECT_EQ(ended.status, 2);
         EXPECT_TRUE(contains(ended.err, reason)) << ended.err;
     };
-    rejected("--straighten", "--straighten needs --material");
-    rejected("--moving-pierce", "--moving-pierce needs --material, or how long it takes");
+    rejected("--taper-compensation", "--taper-compensation requires --material");
+    rejected("--dynamic-pierce", "--dynamic-pierce requires --material, or its time (--pierce)");
 }
 
 }  // namespace

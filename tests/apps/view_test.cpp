@@ -129,8 +129,8 @@ TEST_F(ViewOutput, WithoutThePageSaysHowToMakeIt) {
     fs::remove_all(folder_ / "here/share");
     const Ended ended = view({"--view", "out.html", write("part.nc", kPart)});
     EXPECT_EQ(ended.status, 2);
-    EXPECT_TRUE(contains(ended.err, "--view needs the page of the studio, which is not there")) << ended.err;
-    EXPECT_TRUE(contains(ended.err, "`make studio` makes it")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "--view requires the Studio page, which is not installed")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "`make studio` builds it")) << ended.err;
     EXPECT_FALSE(exists("out.html"));
 }
 
@@ -138,7 +138,7 @@ TEST_F(ViewOutput, APageWithoutAPlaceForARunIsNone) {
     install("<html></html>\n");
     const Ended ended = view({"--view", "out.html", write("part.nc", kPart)});
     EXPECT_EQ(ended.status, 2);
-    EXPECT_TRUE(contains(ended.err, "has no place for a run")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "has no placeholder for a run")) << ended.err;
 }
 
 TEST_F(ViewOutput, NothingIsLeftOfAProgramThatIsRefused) {

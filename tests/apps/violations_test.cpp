@@ -38,9 +38,10 @@ TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
     EXPECT_EQ(first["amount"], 12.5);
     EXPECT_EQ(first["offset"], "G54");
     EXPECT_EQ(r["valid_until_s"], first["t_s"]);
-    EXPECT_EQ(r["remedy"], text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
+    EXPECT_EQ(r["suggested_fix"],
+              text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
     EXPECT_TRUE(contains(gsim_run({"--machine", kRouter, "off.nc"}).out,
-                         "G54 X +12.5 mm would bring the whole program within the limits\n"));
+                         "G54 X +12.5 mm would bring the complete program within the limits\n"));
     EXPECT_EQ(report({"--machine", kRouter, "--stop-at-first", "off.nc"}, 1)["status"], "alarm");
 }
 
@@ -51,7 +52,7 @@ TEST_F(Violations, TheRemedyIsTrue) {
                 write("inch.nc", "G20 M3 S9\nG0 X0.1\nG1 X-1 F40\nM2\n")},
                1);
     // G54 X is 0.1 inch in the variables: X-1 is -22.86 mm.
-    EXPECT_EQ(moved["remedy"],
+    EXPECT_EQ(moved["suggested_fix"],
               text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 22.86}])"));
     write("data.txt", "NCFILE\nOFFSET\n54 12.5 0 0\nENDFILE\n");
     const Ended repeated = gsim_run({"--machine", kRouter, "--machine-data", "data.txt", "off.nc"});
@@ -65,7 +66,7 @@ TEST_F(Violations, NoRemedyWhereTheShiftWouldBreakAnotherThing) {
                                 "G10 L2 P1 X-5\nG0 X0\nM30\n"}) {
         const json r = report({"--machine", kRouter, "--dialect", "rs274ngc", write("p.nc", program)}, 1);
         EXPECT_EQ(r["status"], "violations") << program;
-        EXPECT_EQ(r["remedy"], json::array()) << program;
+        EXPECT_EQ(r["suggested_fix"], json::array()) << program;
     }
 }
 
@@ -84,8 +85,8 @@ TEST_F(Violations, CheckTellsThemToo) {
     const Ended off = check({"--machine", kRouter, "off.nc"});
     EXPECT_EQ(off.status, 1);
     EXPECT_EQ(off.out,
-              "off.nc:3: error: axis X goes to -12.5 mm, 12.5 mm past its limit of 0 mm\n"
-              "off.nc: note: G54 X +12.5 mm would bring the whole program within the limits\n");
+              "off.nc:3: error: axis X moves to -12.5 mm, 12.5 mm past its limit of 0 mm\noff.nc: note: G54 "
+              "X +12.5 mm would bring the complete program within the limits\n");
     const Ended jet = check({"jet.nc"});
     EXPECT_EQ(jet.status, 1);
     EXPECT_EQ(jet.out, "jet.nc:3: warning: a rapid move with the jet on\n");
@@ -113,18 +114,17 @@ TEST_F(Violations, WordsThatNoDialectHasAreRefusedAtOnce) {
         return gsim_run({"--machine", machine(on), write("p.nc", "G0 X1\nM30\n")}).err;
     };
     EXPECT_EQ(error("\"M13\""),
-              "gsim-run: m.toml: [process]: M13 is no code of ab9 or rs274ngc; user codes are M100 to M199, "
-              "of ab9 to "
-              "M999\n");
-    EXPECT_EQ(error("\"M8 P1\""), "gsim-run: m.toml: [process]: M8 takes no such words as in M8 P1\n");
+              "gsim-run: m.toml: [process]: M13 is not a code of ab9 or rs274ngc; user codes are M100 to "
+              "M199, in ab9 to M999\n");
+    EXPECT_EQ(error("\"M8 P1\""), "gsim-run: m.toml: [process]: M8 does not accept the words in M8 P1\n");
     EXPECT_EQ(error("\"M62 P0\", \"M64 P0\""),
-              "gsim-run: [process]: the jet is switched on by M62 P0, M64 P0, and ab9 has none of these\n");
+              "gsim-run: [process]: the jet is switched on by M62 P0, M64 P0, which ab9 does not support\n");
     EXPECT_EQ(error("\"M8\", \"M3\", \"M62 P0\", \"M101\""), "");
 }
 
 TEST_F(Violations, TheJetOfAnRs274ngcProgramHasItsLength) {
     const std::string program = "G21\nG0 X10\nM8\nG1 X60 F1000\nM9\nG0 X0\nM2\n";
-    EXPECT_EQ(report({"--dialect", "rs274ngc", write("p.ngc", program)}, 0)["length"]["jet_on_mm"], 50);
+    EXPECT_EQ(report({"--dialect", "rs274ngc", write("p.ngc", program)}, 0)["length"]["process_on_mm"], 50);
 }
 
 }  // namespace

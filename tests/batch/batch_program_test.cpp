@@ -39,9 +39,9 @@ class BatchProgram : public apps::Apps {
     /// The one number that a query comes to.
     double number(const std::string& query, const std::string& file = "gsim-batch.sqlite") const {
         auto results = Database::open((folder_ / file).string(), true);
-        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results) << results.error().message;
         auto statement = results->prepare(query);
-        EXPECT_TRUE(statement) << statement.error();
+        EXPECT_TRUE(statement) << statement.error().message;
         EXPECT_TRUE(statement->step().value_or(false)) << query;
         return statement->number(0);
     }
@@ -216,13 +216,13 @@ TEST_F(BatchProgram, WritesPagesOfANightlyCheck) {
     write("b.ngc", "G21 F600\nG1 X5000\nM2\n");
     const std::vector<std::string> nightly{"--machine", "m.toml", ".", "--pages", "site", "-q"};
     EXPECT_EQ(batch(nightly).status, 1);
-    EXPECT_THAT(read("site/index.html"), HasSubstr("There is no batch before this one."));
+    EXPECT_THAT(read("site/index.html"), HasSubstr("There is no earlier batch."));
     write("a<1>.ngc", "G21 F600\nG1 X5000\nM2\n");
     write("b.ngc", "G21 F600\nG1 X20\nM2\n");
     EXPECT_EQ(batch(nightly).status, 1);
     const std::string front = read("site/index.html");
     const std::size_t failing = front.find("<h3 id=\"newly-failing\">"),
-                      fixed = front.find("<h3 id=\"mended\">");
+                      fixed = front.find("<h3 id=\"fixed\">");
     ASSERT_NE(fixed, std::string::npos);
     EXPECT_THAT(front.substr(failing, fixed - failing), HasSubstr("a&lt;1&gt;.ngc"));
     EXPECT_THAT(front.substr(failing, fixed - failing), HasSubstr("axis-limit"));
@@ -318,12 +318,13 @@ TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {
     EXPECT_EQ(batch({}).status, 2) << "there are no results yet";
     EXPECT_EQ(batch({"--no-such"}).status, 2);
     write("p.ngc", "M2\n");
-    EXPECT_THAT(batch({"plan.toml", "--machine", "m.toml"}).err, HasSubstr("a plan says itself"));
+    EXPECT_THAT(batch({"plan.toml", "--machine", "m.toml"}).err,
+                HasSubstr("a plan defines the machines and options"));
     EXPECT_THAT(batch({"p.ngc", "--results", "p.ngc"}).err, HasSubstr("p.ngc"));
     EXPECT_EQ(read("p.ngc"), "M2\n");
     EXPECT_THAT(batch({"p.ngc", "--results", "r.sqlite", "--csv", "r.sqlite"}).err, HasSubstr("r.sqlite"));
     EXPECT_THAT(batch({"p.ngc", "--results", "none/r.sqlite"}).err, HasSubstr("none"));
-    EXPECT_THAT(batch({"p.ngc", "--views"}).err, HasSubstr("--views goes with --pages"));
+    EXPECT_THAT(batch({"p.ngc", "--views"}).err, HasSubstr("--views requires --pages"));
     EXPECT_THAT(batch({"--slurm"}).err, HasSubstr("name a plan"));
 }
 

@@ -27,7 +27,7 @@ mass_kg = 12.0
 std::string edited(const std::string& key, const nlohmann::json& value, SettingUse use = SettingUse::set) {
     const SettingValue setting{key, value, use};
     const auto text = edit_toml(kMachine, "m.toml", {&setting, 1});
-    return text ? *text : "error: " + text.error();
+    return text ? *text : "error: " + text.error().message;
 }
 
 TEST(EditedToml, FindsElementsByWhatTheyAreCalled) {
@@ -46,22 +46,23 @@ TEST(EditedToml, FindsElementsByWhatTheyAreCalled) {
 
 TEST(EditedToml, SaysWhatIsNotThere) {
     EXPECT_THAT(edited("axis.Q.max_speed_mm_s", 75),
-                HasSubstr("m.toml: 'axis.Q.max_speed_mm_s': there is no 'Q'"));
-    EXPECT_THAT(edited("axis.7.max_speed_mm_s", 75), HasSubstr("there is no '7'"));
-    EXPECT_THAT(edited("machine.name.of", 75), HasSubstr("nothing is below"));
+                HasSubstr("m.toml: 'axis.Q.max_speed_mm_s': 'Q' does not exist"));
+    EXPECT_THAT(edited("axis.7.max_speed_mm_s", 75),
+                HasSubstr("'axis.7.max_speed_mm_s': '7' does not exist"));
+    EXPECT_THAT(edited("machine.name.of", 75), HasSubstr("'machine.name' is a value without keys"));
     EXPECT_THAT(edited("axis.X.max_jerk_mm_s3", 2, SettingUse::factor),
-                HasSubstr("a factor needs a number in the file"));
+                HasSubstr("a factor requires a number in the file"));
     EXPECT_THAT(edited("machine.name", 2, SettingUse::shift),
-                HasSubstr("what is added needs a number in the file"));
+                HasSubstr("an added value requires a number in the file"));
     EXPECT_THAT(edited("machine.name", 2, SettingUse::factor),
-                HasSubstr("a factor needs a number in the file"));
+                HasSubstr("a factor requires a number in the file"));
 }
 
 TEST(EditedData, ChangesAnEntry) {
     const std::string data = "NCFILE\nOFFSET\n54 100 200 0\nENDFILE\n";
     const std::vector<SettingValue> settings{{"OFFSET.54.X", 101.5}, {"OFFSET.54.Z", -3}};
     const auto text = edit_data(data, "d.txt", settings);
-    ASSERT_TRUE(text) << text.error();
+    ASSERT_TRUE(text) << text.error().message;
     EXPECT_THAT(*text, HasSubstr("101.5"));
     EXPECT_THAT(*text, HasSubstr("-3"));
     const SettingValue none{"OFFSET.54.Q", 1};
@@ -69,12 +70,13 @@ TEST(EditedData, ChangesAnEntry) {
 }
 
 TEST(SettingKey, IsOfAFileOrOfTheRun) {
-    EXPECT_EQ(check_key_name("machine.axis.X.max_mm"), "");
-    EXPECT_EQ(check_key_name("data.OFFSET.54.X"), "");
-    EXPECT_THAT(check_key_name("axis.X.max_mm"), HasSubstr("should begin with 'machine.'"));
-    EXPECT_THAT(check_key_name("machine.axis..max_mm"), HasSubstr("empty name"));
-    EXPECT_THAT(check_key_name("data.OFFSET.54"), HasSubstr("data.SECTION.ID.FIELD"));
-    EXPECT_THAT(check_key_name("option.a.b"), HasSubstr("no option"));
+    EXPECT_FALSE(find_key_name_error("machine.axis.X.max_mm"));
+    EXPECT_FALSE(find_key_name_error("data.OFFSET.54.X"));
+    EXPECT_THAT(find_key_name_error("axis.X.max_mm").value().message,
+                HasSubstr("must begin with 'machine.'"));
+    EXPECT_THAT(find_key_name_error("machine.axis..max_mm").value().message, HasSubstr("empty name"));
+    EXPECT_THAT(find_key_name_error("data.OFFSET.54").value().message, HasSubstr("data.SECTION.ID.FIELD"));
+    EXPECT_THAT(find_key_name_error("option.a.b").value().message, HasSubstr("is not an option"));
 }
 
 }  // namespace

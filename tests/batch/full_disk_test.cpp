@@ -51,9 +51,9 @@ class FullDisk : public apps::Apps {
     /// Returns the result of each program of the latest batch.
     std::map<std::string, std::string> rows(const std::string& file) const {
         auto results = Database::open((folder_ / file).string(), true);
-        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results) << results.error().message;
         auto statement = results->prepare("SELECT program, status, cycle_time_s, extents FROM latest");
-        EXPECT_TRUE(statement) << statement.error();
+        EXPECT_TRUE(statement) << statement.error().message;
         std::map<std::string, std::string> found;
         while (statement->step().value_or(false))
             found[std::string(statement->text(0))] =

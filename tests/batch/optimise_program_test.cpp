@@ -39,9 +39,9 @@ class OptimiseProgram : public apps::Apps {
 
     double number(const std::string& query, const std::string& file = "gsim-optimise.sqlite") const {
         auto results = Database::open((folder_ / file).string(), true);
-        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results) << results.error().message;
         auto statement = results->prepare(query);
-        EXPECT_TRUE(statement) << statement.error();
+        EXPECT_TRUE(statement) << statement.error().message;
         EXPECT_TRUE(statement->step().value_or(false)) << query;
         return statement->number(0);
     }
@@ -65,8 +65,8 @@ TEST_F(OptimiseProgram, FindsTheEndOfARangeAndALimit) {
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_NEAR(found()["start"]["value"], slide_s(100), 1e-9);
     EXPECT_NEAR(found()["best"]["value"], slide_s(150), 1e-3);
-    EXPECT_NEAR(found()["proof"]["best"]["value"], found()["best"]["value"], 1e-12);
-    EXPECT_LE(found()["proof"]["best"]["lower_bound_s"].get<double>(),
+    EXPECT_NEAR(found()["verification"]["best"]["value"], found()["best"]["value"], 1e-12);
+    EXPECT_LE(found()["verification"]["best"]["lower_bound_s"].get<double>(),
               found()["best"]["value"].get<double>());
     EXPECT_THAT(ended.out, HasSubstr("option.feed_override_percent"));
     EXPECT_THAT(read("found.html"), HasSubstr("<polyline"));
@@ -180,7 +180,7 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
     const double start_s = found()["start"]["value"], best_s = found()["best"]["value"];
     EXPECT_NEAR(start_s, 88.331, 0.001);
     EXPECT_LT(best_s, 0.96 * start_s);
-    EXPECT_GE(best_s, found()["proof"]["best"]["lower_bound_s"].get<double>());
+    EXPECT_GE(best_s, found()["verification"]["best"]["lower_bound_s"].get<double>());
     const json metrics = found()["best"]["runs"][0];
     EXPECT_GE(metrics["clearance_mm"].get<double>(), 0.25);
     // By the program that everybody has, from the files that were written.
@@ -192,7 +192,7 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
     EXPECT_NEAR(report["cycle_time_s"], best_s, 1e-9);
     EXPECT_TRUE(report["collisions"].empty());
     EXPECT_TRUE(report["clearances"].empty());
-    EXPECT_NEAR(report["length"]["jet_on_mm"], 3183.626, 0.01) << "what is cut is the same";
+    EXPECT_NEAR(report["length"]["process_on_mm"], 3183.626, 0.01) << "what is cut is the same";
 }
 
 // Written files are in another folder, and mean the same there; values that look like names of files stay.
@@ -217,12 +217,12 @@ to = 2000
     const Ended ended = optimise({"plan.toml", "--best", "there/best", "--json", "found.json"});
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_THAT(read("there/best/p.ngc.machine.toml"), HasSubstr("kind = \"linear\""));
-    EXPECT_THAT(ended.out, HasSubstr("# without variables, which it has no word for"));
+    EXPECT_THAT(ended.out, HasSubstr("# without variables, for which it has no option"));
     const Ended repeated =
         apps::run_program(tests::program_path("gsim-run"),
                           {"p.ngc", "--machine", "there/best/p.ngc.machine.toml", "--json"}, folder_);
     EXPECT_NEAR(text::parse_json<json>(repeated.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
-    // The proof is made, not found.
+    // The verification is run, not searched.
     ASSERT_EQ(optimise({"plan.toml", "--best", "there/best", "--overwrite"}).status, 0);
     EXPECT_EQ(number("SELECT reused FROM batch_run ORDER BY batch DESC LIMIT 1"), 0);
 }
@@ -251,7 +251,7 @@ TEST_F(OptimiseProgram, SaysThatNothingIsAllowed) {
     write("plan.toml", std::string(kOverride) + "[[limit]]\nfigure = \"cycle_time_s\"\nmost = 0.1\n");
     const Ended ended = optimise({"plan.toml", "--variants", "10"});
     EXPECT_EQ(ended.status, 1);
-    EXPECT_THAT(ended.out, HasSubstr("no variant is without a fault"));
+    EXPECT_THAT(ended.out, HasSubstr("no variant is without errors"));
     write("p.ngc", "G21 F600\nG1 X[\n");
     EXPECT_THAT(optimise({"plan.toml", "--variants", "10"}).err, HasSubstr("p.ngc: "));
 }
@@ -273,7 +273,7 @@ TEST_F(OptimiseProgram, RefusesWhatItIsToldWrongly) {
         "programs = \"slots.path.json\"\nmachines = [\"router3\"]\n[options]\npost = \"rs274ngc\"\ndialect = "
         "\"rs274ngc\"\n[objective]\ncycle_time_s = 1\n[[setting]]\nkey = \"path.order\"\norders = 5\n");
     EXPECT_THAT(optimise({"order.toml", "--best", ".", "--variants", "5"}).err,
-                HasSubstr("'./slots.nc' is there already"));
+                HasSubstr("'./slots.nc' already exists"));
     EXPECT_EQ(read("slots.nc"), "mine\n");
     EXPECT_EQ(optimise({"order.toml", "--best", ".", "--variants", "5", "--overwrite"}).status, 0);
     EXPECT_THAT(read("slots.nc"), HasSubstr("M2"));
@@ -287,14 +287,15 @@ TEST_F(OptimiseProgram, RefusesWhatItIsToldWrongly) {
     std::string own = kOverride;
     own.replace(own.find("\"m.toml\""), 8, "\"p.ngc.machine.toml\"");
     write("own.toml", own);
-    EXPECT_THAT(optimise({"own.toml", "--best", ".", "--overwrite"}).err, HasSubstr("is read by the search"));
+    EXPECT_THAT(optimise({"own.toml", "--best", ".", "--overwrite"}).err,
+                HasSubstr("p.ngc.machine.toml' is an input of the search"));
     EXPECT_EQ(read("p.ngc.machine.toml"), read("m.toml"));
     std::string nowhere = kOverride;
     nowhere.replace(nowhere.find("option.feed_override_percent"), 28, "machine.axis.Q.max_speed_mm_s");
     write("nowhere.toml", nowhere);
     const Ended reported = optimise({"nowhere.toml"});
     EXPECT_EQ(reported.status, 2);
-    EXPECT_THAT(reported.err, HasSubstr("there is no 'Q'"));
+    EXPECT_THAT(reported.err, HasSubstr("'axis.Q.max_speed_mm_s': 'Q' does not exist"));
     write("bare.toml", "programs = \"p.ngc\"\n");
     EXPECT_THAT(optimise({"bare.toml"}).err, HasSubstr("[objective]"));
     EXPECT_THAT(batch({"plan.toml"}).err, HasSubstr("no list of values"))

@@ -46,34 +46,34 @@ Job job_of(std::size_t number, const std::string& program) {
 RunRow run_row(std::size_t number, const std::string& cause = {}) {
     return {
         .number = number,
-        .status = cause.empty() ? "completed" : "alarm",
-        .cause = cause,
-        .message = cause.empty() ? "" : "it says \"no\", <twice>",
-        .file = "a.nc",
-        .line = 3,
-        .cycle_time_s = 0.1 + 0.2,
+        .outcome = {.status = cause.empty() ? "completed" : "alarm",
+                    .cause = cause,
+                    .message = cause.empty() ? "" : "it says \"no\", <twice>",
+                    .file = "a.nc",
+                    .line = 3},
+        .times = {.cycle_s = 0.1 + 0.2},
         .extents = "{}",
         .findings =
             R"([{"code":"axis-limit","column":null,"end_column":null,"file":"a.nc","hint":null,"line":3,"severity":"error","text":"too far"}])",
         .files = {{"a.nc", "1"}, {"sub.nc", "2"}, {"gone.nc", ""}}};
 }
 
-std::string written_text(const std::string& file, SqlResult (*write)(Database&, const Sink&)) {
+std::string written_text(const std::string& file, Result<void> (*write)(Database&, const Sink&)) {
     auto database = Database::open(file, true);
-    EXPECT_TRUE(database) << database.error();
+    EXPECT_TRUE(database) << database.error().message;
     std::string text;
     const auto done = write(*database, [&](std::string_view chunk) { return text.append(chunk), true; });
-    EXPECT_TRUE(done) << done.error();
+    EXPECT_TRUE(done) << done.error().message;
     return text;
 }
 
 TEST_F(ResultsFile, FindsARunAsLongAsAllThatItReadIsAsItWas) {
     auto results = Results::open(file_);
-    ASSERT_TRUE(results) << results.error();
+    ASSERT_TRUE(results) << results.error().message;
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
     EXPECT_FALSE(results->find("k", file_hash(), {}, false).value());
     const auto run = results->add(job_of(0, "a.nc"), {"k", "1", ""}, run_row(0), "v");
-    ASSERT_TRUE(run) << run.error();
+    ASSERT_TRUE(run) << run.error().message;
     ASSERT_TRUE(results->record(0, *run, false));
     ASSERT_TRUE(results->end_batch(true));
 
@@ -95,7 +95,7 @@ TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
     ASSERT_TRUE(results);
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
     RunRow row = run_row(0);
-    row.status = row.cause = "crashed";
+    row.outcome.status = row.outcome.cause = "crashed";
     ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v"));
     const auto found = results->find("k", file_hash(), {}, false).value();
     ASSERT_TRUE(found);
@@ -110,7 +110,7 @@ TEST_F(ResultsFile, ATrueRunGoesBeforeOneThatWasLostLater) {
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
     const auto good = results->add(job_of(0, "a.nc"), {"k", "1", ""}, run_row(0), "v");
     RunRow lost = run_row(0);
-    lost.status = lost.cause = "timeout";
+    lost.outcome.status = lost.outcome.cause = "timeout";
     lost.files = {};
     ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, lost, "v"));
     EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, *good);
@@ -150,7 +150,7 @@ TEST_F(ResultsFile, IsReadByOthersWhileItIsWritten) {
     ASSERT_TRUE(reader);
     auto rows = reader->prepare(
         "SELECT count(*), max(cycle_time_s), max(batch_run.job) FROM run JOIN batch_run ON run.id = run");
-    ASSERT_TRUE(rows) << rows.error();
+    ASSERT_TRUE(rows) << rows.error().message;
     ASSERT_TRUE(rows->step().value());
     EXPECT_EQ(rows->integer(0), 1);
     EXPECT_EQ(rows->number(1), 0.1 + 0.2) << "to the last bit";
@@ -195,11 +195,11 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
     const auto file_with = [&](const std::string& name, std::size_t first, std::size_t end) {
         const std::string file = (folder_ / name).string();
         auto results = Results::open(file, Journal::rollback);
-        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results) << results.error().message;
         EXPECT_TRUE(results->begin_batch("plan", end - first, "v"));
         for (std::size_t i = first; i < end; ++i) {
             RunRow row = run_row(i);
-            row.report = "{}";
+            row.documents.report = "{}";
             const auto run =
                 results->add(job_of(i, "p" + std::to_string(i)), {std::to_string(i), "1", ""}, row, "v");
             EXPECT_TRUE(results->record(i, run.value(), false));
@@ -266,7 +266,7 @@ TEST_F(ResultsFile, PicturesAreKeptWhereTheyAreWanted) {
     RunRow row = run_row(0);
     const auto bare = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v");
     EXPECT_FALSE(results->find("k", file_hash(), {.picture = true}, false).value());
-    row.picture = "<svg/>";
+    row.documents.picture = "<svg/>";
     const auto drawn = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v");
     EXPECT_EQ(results->find("k", file_hash(), {.picture = true}, false).value()->run, *drawn);
     EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, *drawn) << "the newest";
@@ -306,7 +306,7 @@ TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
                                const Sink& sink) { return write_csv(from, kTableColumnsQuery, sink); }),
         HasSubstr("clearance_mm"));
     auto results = Results::open(file_);
-    ASSERT_TRUE(results) << results.error();
+    ASSERT_TRUE(results) << results.error().message;
     EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, 1);
     ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
     RunRow row = run_row(0);
@@ -330,10 +330,10 @@ TEST_F(ResultsFile, OfAnotherKindIsRefused) {
     std::ofstream(file_) << "no database, but long enough to be looked at as if it were one, with many words";
     const auto text = Results::open(file_);
     ASSERT_FALSE(text);
-    EXPECT_THAT(text.error(), HasSubstr("not a database"));
+    EXPECT_THAT(text.error().message, HasSubstr("not a database"));
     fs::remove(file_);
     ASSERT_TRUE(Database::open(file_)->execute("CREATE TABLE mine (a)"));
-    EXPECT_THAT(Results::open(file_).error(), HasSubstr("no file of results"));
+    EXPECT_THAT(Results::open(file_).error().message, HasSubstr("is not a results file"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(OpenCommand, ServesAFolderThatHasAllFiles) {
+TEST(ViewCommand, ServesAFolderThatHasAllFiles) {
     const auto line = [](const std::string& machine, const std::string& program) {
         return shell_line(
             studio_command({.program = program, .machine = machine, .options = "{}", .settings = "{}"})
@@ -24,30 +24,30 @@ TEST(OpenCommand, ServesAFolderThatHasAllFiles) {
     EXPECT_EQ(line("", "-a.nc"), "gsim studio . ./-a.nc");
 }
 
-TEST(OpenCommand, SaysWhatItHasNoWordFor) {
+TEST(ViewCommand, SaysWhatItHasNoWordFor) {
     const RunInputs run{
         .program = "a.nc",
         .machine = "m.toml",
         .options = R"({"block_delete":true,"cell":"c.toml","collisions":false,"variables":"v"})",
         .settings = R"({"machine.axis.X.max_mm":5,"option.feed_override_percent":80})"};
-    const OpenCommand view = view_command(run);
+    const ViewCommand view = view_command(run);
     EXPECT_EQ(shell_line(view.words),
               "gsim run --view run.html --machine m.toml --block-delete --cell c.toml --no-collisions "
               "--feed-override 80 a.nc");
     EXPECT_THAT(view.left_out, ElementsAre("machine.axis.X.max_mm", "variables"));
-    const OpenCommand studio = studio_command(run);
+    const ViewCommand studio = studio_command(run);
     EXPECT_EQ(shell_line(studio.words), "gsim studio --machine m.toml --cell c.toml . a.nc");
     EXPECT_THAT(studio.left_out, ElementsAre("machine.axis.X.max_mm", "block_delete", "collisions",
                                              "feed_override_percent", "variables"));
 }
 
-TEST(OpenCommand, OfAJobIsTheSameRun) {
+TEST(ViewCommand, OfAJobIsTheSameRun) {
     const Job job{
         .program = "best/a b.nc",
         .machine = "best/a.machine.toml",
         .options = {{"lower_bound", true}, {"joint_speeds", true}, {"cell", "c.toml"}, {"collisions", true}},
         .settings = {{"option.max_blocks", 5}}};
-    const OpenCommand run = run_command(run_inputs(job));
+    const ViewCommand run = run_command(run_inputs(job));
     EXPECT_EQ(shell_line(run.words),
               "gsim run --machine best/a.machine.toml --cell c.toml --explain --max-blocks 5 'best/a b.nc'");
     EXPECT_THAT(run.left_out, ElementsAre());

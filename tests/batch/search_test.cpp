@@ -43,18 +43,17 @@ class SearchFile : public testing::Test {
     }
     ~SearchFile() override { fs::remove_all(folder_); }
 
-    tl::expected<SearchPlan, std::string> read(const std::string& text) const {
+    Result<SearchPlan> read(const std::string& text) const {
         return read_search(text, (folder_ / "plan.toml").string());
     }
     std::string rejection(const std::string& text) const {
         const auto search = read(text);
-        return search ? "" : search.error();
+        return search ? "" : search.error().message;
     }
 
     /// Runs a batch as `row` says.
     Evaluate evaluate_by(std::function<RunRow(const Job&)> row) {
-        return [this, row = std::move(row)](const Plan& plan,
-                                            bool) -> tl::expected<EvaluatedBatch, std::string> {
+        return [this, row = std::move(row)](const Plan& plan, bool) -> Result<EvaluatedBatch> {
             if (batches_left_-- == 0) return EvaluatedBatch{};
             auto results = Results::open(results_);
             EXPECT_TRUE(results->begin_batch(plan.name, Jobs(plan).size(), "v"));
@@ -70,8 +69,7 @@ class SearchFile : public testing::Test {
         };
     }
 
-    tl::expected<SearchState, std::string> search(const SearchPlan& plan,
-                                                  std::function<RunRow(const Job&)> row) {
+    Result<SearchState> search(const SearchPlan& plan, std::function<RunRow(const Job&)> row) {
         return search_best(plan, results_, evaluate_by(std::move(row)), [](const SearchState&) {});
     }
 
@@ -93,7 +91,8 @@ double setting(const Job& job, std::size_t place) {
 }
 
 RunRow is_clean(double time_s) {
-    return {.status = "completed", .cycle_time_s = time_s, .extents = "{}", .findings = "[]"};
+    return {
+        .outcome = {.status = "completed"}, .times = {.cycle_s = time_s}, .extents = "{}", .findings = "[]"};
 }
 
 /// Returns a run with its minimum, 10, at 1, -2.
@@ -103,9 +102,9 @@ RunRow bowl(const Job& job) {
 
 TEST_F(SearchFile, FindsTheLeastOfABowl) {
     const auto plan = read(kPlan);
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     const auto state = search(*plan, bowl);
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_EQ(state->start.score.value.value(), 27) << "with the settings that the files have";
     EXPECT_NEAR(state->best.score.value.value(), 10, 1e-3);
     EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
@@ -135,7 +134,7 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
     const auto plan = read(kPlan);
     batches_left_ = 4;
     const auto state = search(*plan, bowl);
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_FALSE(state->complete);
     EXPECT_GT(state->trials, 20U);
     EXPECT_LT(state->best.score.value.value(), 27);
@@ -147,19 +146,19 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
 TEST_F(SearchFile, KeepsToWhatIsAllowed) {
     const std::string text = std::string(kPlan) + "[[limit]]\nfigure = \"clearance_mm\"\nleast = 1\n";
     auto plan = read(text);
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     plan->variants = 400;  // in a corner of two limits it takes smaller steps
     const auto fenced = [](const Job& job) {
         RunRow row = bowl(job);
         row.clearance_mm = 2 - setting(job, 0);  // a is at most 1
         if (setting(job, 1) < -1) {
-            row.cause = "collision";
-            row.collisions = 3;
+            row.outcome.cause = "collision";
+            row.counts.collisions = 3;
         }
         return row;
     };
     const auto state = search(*plan, fenced);
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     ASSERT_TRUE(state->best.score.is_feasible());
     EXPECT_NEAR(state->best.score.value.value(), 14, 0.05) << "at 1, -1";
     EXPECT_GE(state->best.settings[1].value.get<double>(), -1);
@@ -180,15 +179,15 @@ TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
     };
     RunRow touching = is_clean(1), past = is_clean(1), far = is_clean(1), findings = is_clean(1), alarm,
            early, rejected;
-    touching.cause = "collision";
-    touching.collisions = 1;
-    past.status = "violations";
-    past.violations = 12;
-    findings.process_findings = 2;
-    alarm.status = early.status = "alarm";
-    alarm.blocks = 1000;
-    early.blocks = 10;
-    rejected.status = "refused";
+    touching.outcome.cause = "collision";
+    touching.counts.collisions = 1;
+    past.outcome.status = "violations";
+    past.counts.violations = 12;
+    findings.counts.process_findings = 2;
+    alarm.outcome.status = early.outcome.status = "alarm";
+    alarm.counts.blocks = 1000;
+    early.counts.blocks = 10;
+    rejected.outcome.status = "refused";
     EXPECT_EQ(violation(is_clean(1)), 0);
     EXPECT_EQ(violation(findings), 1) << "one more than the start has";
     EXPECT_EQ(violation(touching), 1);
@@ -203,10 +202,10 @@ TEST_F(SearchFile, WhatIsNotRunHasNoValue) {
     const auto plan = read(kPlan);
     const auto state = search(*plan, [](const Job& job) {
         RunRow row = bowl(job);
-        if (setting(job, 0) < 0) row.status = "refused";
+        if (setting(job, 0) < 0) row.outcome.status = "refused";
         return row;
     });
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_NEAR(state->best.score.value.value(), 10, 1e-2);
     EXPECT_GT(number("SELECT count(*) FROM search_run WHERE value IS NULL AND violation >= 1e9"), 0);
     EXPECT_EQ(number("SELECT count(*) FROM search_run WHERE value < 10"), 0);
@@ -217,14 +216,14 @@ TEST_F(SearchFile, ASettingThatNoRunCanHaveIsToldEarly) {
     const auto state = search(*plan, [](const Job& job) {
         RunRow row = bowl(job);
         if (!job.settings.empty()) {
-            row.status = "refused";
-            row.message = "there is no 'Q'";
+            row.outcome.status = "refused";
+            row.outcome.message = "there is no 'Q'";
         }
         return row;
     });
     ASSERT_FALSE(state);
-    EXPECT_THAT(state.error(), HasSubstr("each of the 20 first variants is refused: "));
-    EXPECT_THAT(state.error(), HasSubstr("p.nc: there is no 'Q'"));
+    EXPECT_THAT(state.error().message, HasSubstr("each of the 20 first variants is rejected: "));
+    EXPECT_THAT(state.error().message, HasSubstr("p.nc: there is no 'Q'"));
     EXPECT_EQ(evaluated_, 21);
 }
 
@@ -253,7 +252,7 @@ TEST_F(SearchFile, AMachineMayBeNamedTwice) {
     std::string text = kPlan;
     text.replace(text.find("[\"m.toml\"]"), 10, "[\"m.toml\", \"m.toml\"]");
     const auto state = search(*read(text), bowl);
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_NEAR(state->best.score.value.value(), 20, 1e-2);
 }
 
@@ -262,12 +261,12 @@ TEST_F(SearchFile, SumsOverProgramsAndMachines) {
     std::string text = kPlan;
     text.replace(text.find("\"p.nc\""), 6, "\"p.nc\", \"q.nc\"");
     const auto plan = read(text);
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     // Each program has its minimum elsewhere; the sum has it halfway.
     const auto state = search(*plan, [](const Job& job) {
         return is_clean(1 + std::pow(setting(job, 0) - (job.program.ends_with("p.nc") ? 2 : 0), 2));
     });
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_NEAR(state->best.score.value.value(), 4, 1e-3);
     EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
     EXPECT_EQ(state->best.runs.size(), 2U);
@@ -279,7 +278,7 @@ TEST_F(SearchFile, FiguresThatRunsDoNotHaveAreNamed) {
     text.replace(text.find("cycle_time_s"), 12, "energy_j");
     const auto state = search(*read(text), bowl);
     ASSERT_FALSE(state);
-    EXPECT_THAT(state.error(), HasSubstr("have no 'energy_j'"));
+    EXPECT_THAT(state.error().message, HasSubstr("have no 'energy_j'"));
 }
 
 TEST_F(SearchFile, FindsAnOrder) {
@@ -288,7 +287,7 @@ TEST_F(SearchFile, FindsAnOrder) {
     text += "[[setting]]\nkey = \"path.order\"\norders = 5\n";
     // Path through points on a line, in any order; 4 there and back is the minimum.
     const auto plan = read(text);
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     const auto state = search(*plan, [](const Job& job) {
         constexpr std::array kAt{3.0, 1.0, 4.0, 0.0, 2.0};
         double at = 0, distance = 0;
@@ -301,7 +300,7 @@ TEST_F(SearchFile, FindsAnOrder) {
         }
         return is_clean(distance);
     });
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_EQ(state->best.score.value.value(), 4);
     EXPECT_EQ(state->best.settings[0].value, (nlohmann::json{3U, 1U, 4U, 0U, 2U}));
 }
@@ -326,8 +325,8 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
         std::string less = text;
         return less.erase(less.find(part), part.size());
     };
-    EXPECT_THAT(rejection(without("[objective]\ncycle_time_s = 1\n")), HasSubstr("needs [objective]"));
-    EXPECT_THAT(rejection(text.substr(0, text.find("[[setting]]"))), HasSubstr("needs [[setting]]"));
+    EXPECT_THAT(rejection(without("[objective]\ncycle_time_s = 1\n")), HasSubstr("requires [objective]"));
+    EXPECT_THAT(rejection(text.substr(0, text.find("[[setting]]"))), HasSubstr("requires [[setting]]"));
     const auto with = [&](const std::string& more) { return rejection(text + more); };
     EXPECT_THAT(with("[[limit]]\nmost = 1\n"), HasSubstr("lacks the key 'figure'"));
     EXPECT_THAT(with("[[limit]]\nfigure = \"cycle_time_s\"\n"), HasSubstr("'least', 'most' or both"));
@@ -336,7 +335,8 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
     EXPECT_THAT(with("[[limit]]\nfigure = \"cycle\"\nmost = 1\n"), HasSubstr("'figure' must be"));
     EXPECT_THAT(
         with("[[setting]]\nkey = \"machine.c\"\ndistribution = \"normal\"\nmean = 1\ndeviation = 1\n"),
-        HasSubstr("no distribution"));
+        HasSubstr(
+            "'machine.c': a search supports 'from' and 'to', 'values' or 'orders', not a distribution"));
     std::string wrong = text;
     EXPECT_THAT(rejection(wrong.replace(wrong.find("cycle_time_s"), 12, "cycle_tims_s")),
                 HasSubstr("did you mean 'cycle_time_s'?"));
@@ -344,10 +344,10 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
     EXPECT_THAT(rejection(wrong.replace(wrong.find("= 1\n"), 3, "= 0")), HasSubstr("a weight of 0"));
     wrong = text;
     EXPECT_THAT(rejection(wrong.replace(wrong.find("variants = 150"), 14, "variants = 1.5")),
-                HasSubstr("whole number"));
+                HasSubstr("'variants' must be an integer from 1"));
     EXPECT_THAT(rejection("objective = 1\n"), HasSubstr("programs"));
-    EXPECT_THAT(with("[sampling]\nkind = \"random\"\nruns = 3\n"), HasSubstr("draws its variants itself"));
-    EXPECT_THAT(rejection("controllers = [\"ab9\", \"blend\"]\n" + text), HasSubstr("takes one control"));
+    EXPECT_THAT(with("[sampling]\nkind = \"random\"\nruns = 3\n"), HasSubstr("selects its variants itself"));
+    EXPECT_THAT(rejection("controllers = [\"ab9\", \"blend\"]\n" + text), HasSubstr("supports one control"));
     std::string many = text;
     for (int i = 0; i < 7; ++i)
         many += "[[setting]]\nkey = \"machine.s" + std::to_string(i) + "\"\nfrom = 1\nto = 2\nsteps = 31\n";

@@ -46,7 +46,7 @@ TEST(Shards, AreWrittenAndReadBack) {
     shards.array_job = "12";
     ASSERT_TRUE(write_shards(folder, shards));
     const auto read = read_shards(folder);
-    ASSERT_TRUE(read) << read.error();
+    ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->pending_jobs, shards.pending_jobs);
     EXPECT_EQ(read->array_job, "12");
     Plan plan;
@@ -57,7 +57,7 @@ TEST(Shards, AreWrittenAndReadBack) {
     plan.design = {.sampling = Sampling::sobol, .runs = 9, .seed = 4};
     ASSERT_TRUE(write_stored_plan(folder, plan));
     const auto repeated = read_stored_plan(folder);
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     const Jobs ours(plan), theirs(*repeated);
     ASSERT_EQ(theirs.size(), 9U);
     for (std::uint64_t job = 0; job < 9; ++job)

@@ -118,8 +118,8 @@ class ClosedForm : public testing::Test {
             const double expected_s = time_s(job.settings[0].value);
             if (seed <= kSeedsRun) {
                 const RunRow row = runner_.run(job);
-                EXPECT_EQ(row.status, "completed") << row.message;
-                EXPECT_NEAR(row.cycle_time_s, expected_s, 1e-9);
+                EXPECT_EQ(row.outcome.status, "completed") << row.outcome.message;
+                EXPECT_NEAR(row.times.cycle_s, expected_s, 1e-9);
             }
             found.push_back(expected_s);
         }
@@ -178,7 +178,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
         for (std::uint64_t number = 0; number < jobs.size(); ++number) {
             const Job job = jobs.job(number);
             RunRow row = runner_.run(job);
-            if (number == 3) row.status = row.cause = "timeout";
+            if (number == 3) row.outcome.status = row.outcome.cause = "timeout";
             ASSERT_TRUE(results->record(
                 number, results->add(job, {std::to_string(number), "", ""}, row, "v").value(), false));
         }
@@ -186,7 +186,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
     }
     auto database = Database::open(file, true);
     const auto studies = read_studies(*database);
-    ASSERT_TRUE(studies) << studies.error();
+    ASSERT_TRUE(studies) << studies.error().message;
     ASSERT_EQ(studies->size(), 2U);
     EXPECT_EQ(studies->front().runs, 80U);
     EXPECT_EQ(studies->front().failed, 1U);
@@ -195,7 +195,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
     ASSERT_EQ(studies->front().sensitivity.effects.size(), 1U);
     EXPECT_LT(studies->front().sensitivity.effects[0].coefficient, -0.9);
     const auto comparisons = compare_machines(*database);
-    ASSERT_TRUE(comparisons) << comparisons.error();
+    ASSERT_TRUE(comparisons) << comparisons.error().message;
     ASSERT_EQ(comparisons->size(), 1U);
     EXPECT_EQ(comparisons->front().pairs, 80U);
     EXPECT_EQ(comparisons->front().slower, 79U);

@@ -37,11 +37,11 @@ std::map<std::size_t, RunRow> run_all(const std::vector<std::string>& programs, 
                                             .machine = "",
                                             .options = nlohmann::json::object(),
                                             .settings = {}});
-            EXPECT_TRUE(given) << given.error();
+            EXPECT_TRUE(given) << given.error().message;
             ++next;
         }
         auto taken = pool.collect(std::chrono::milliseconds(100));
-        EXPECT_TRUE(taken) << taken.error();
+        EXPECT_TRUE(taken) << taken.error().message;
         for (RunRow& row : *taken) EXPECT_TRUE(rows.emplace(row.number, row).second) << "a row twice";
     }
     EXPECT_EQ(pool.pending_count(), 0U);
@@ -50,7 +50,7 @@ std::map<std::size_t, RunRow> run_all(const std::vector<std::string>& programs, 
 
 TEST(WorkerPool, GivesARowForEachJob) {
     const auto rows = run_all(std::vector<std::string>(200, "a.nc"), 3);
-    for (const auto& [number, row] : rows) EXPECT_EQ(row.status, "completed");
+    for (const auto& [number, row] : rows) EXPECT_EQ(row.outcome.status, "completed");
 }
 
 TEST(WorkerPool, AWorkerThatEndsCostsTheRowOfItsJobAlone) {
@@ -61,22 +61,22 @@ TEST(WorkerPool, AWorkerThatEndsCostsTheRowOfItsJobAlone) {
     for (const auto& [number, row] : rows) {
         SCOPED_TRACE(programs[number]);
         if (programs[number] == "a.nc") {
-            EXPECT_EQ(row.status, "completed");
+            EXPECT_EQ(row.outcome.status, "completed");
         }
         if (programs[number] == "memory") {
-            EXPECT_EQ(row.status, "memory");
+            EXPECT_EQ(row.outcome.status, "memory");
         }
         if (programs[number] == "crash") {
-            EXPECT_THAT(row.message, HasSubstr("signal 11"));
+            EXPECT_THAT(row.outcome.message, HasSubstr("signal 11"));
         }
         if (programs[number] == "leave") {
-            EXPECT_THAT(row.message, HasSubstr("status 3"));
+            EXPECT_THAT(row.outcome.message, HasSubstr("status 3"));
         }
         if (programs[number] == "babble") {
-            EXPECT_EQ(row.status, "crashed");
+            EXPECT_EQ(row.outcome.status, "crashed");
         }
-        if (!row.is_clean()) {
-            EXPECT_EQ(row.file, programs[number]);
+        if (!row.outcome.is_clean()) {
+            EXPECT_EQ(row.outcome.file, programs[number]);
         }
     }
 }
@@ -84,17 +84,17 @@ TEST(WorkerPool, AWorkerThatEndsCostsTheRowOfItsJobAlone) {
 // Another worker retries the job, because the job may not be the cause.
 TEST(WorkerPool, WhatOthersEndIsTriedAgainButNotForEver) {
     const auto rows = run_all({"a.nc", "ended", "a.nc", "a.nc"}, 2);
-    EXPECT_EQ(rows.at(1).status, "crashed");
-    EXPECT_THAT(rows.at(1).message, HasSubstr("signal 15"));
-    for (const std::size_t number : {0U, 2U, 3U}) EXPECT_EQ(rows.at(number).status, "completed");
+    EXPECT_EQ(rows.at(1).outcome.status, "crashed");
+    EXPECT_THAT(rows.at(1).outcome.message, HasSubstr("signal 15"));
+    for (const std::size_t number : {0U, 2U, 3U}) EXPECT_EQ(rows.at(number).outcome.status, "completed");
 }
 
 TEST(WorkerPool, EndsWhatTakesTooLong) {
     const auto rows = run_all({"a.nc", "sleep", "a.nc", "a.nc", "sleep", "a.nc"}, 2, 0.5);
-    for (const std::size_t number : {0U, 2U, 3U, 5U}) EXPECT_EQ(rows.at(number).status, "completed");
+    for (const std::size_t number : {0U, 2U, 3U, 5U}) EXPECT_EQ(rows.at(number).outcome.status, "completed");
     for (const std::size_t number : {1U, 4U}) {
-        EXPECT_EQ(rows.at(number).status, "timeout");
-        EXPECT_THAT(rows.at(number).message, HasSubstr("0.5 s"));
+        EXPECT_EQ(rows.at(number).outcome.status, "timeout");
+        EXPECT_THAT(rows.at(number).outcome.message, HasSubstr("0.5 s"));
     }
 }
 
@@ -102,7 +102,7 @@ TEST(WorkerPool, SaysThatThereIsNoSuchProgram) {
     WorkerPool pool({.command = {"/no/such/program"}, .workers = 1, .timeout_s = 1});
     const auto given = pool.submit({});
     ASSERT_FALSE(given);
-    EXPECT_THAT(given.error(), HasSubstr("cannot run /no/such/program"));
+    EXPECT_THAT(given.error().message, HasSubstr("cannot run /no/such/program"));
 }
 
 TEST(WorkerPool, LeavesNobodyBehind) {

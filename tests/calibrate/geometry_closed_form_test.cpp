@@ -13,9 +13,9 @@
 
 #include "calibrate/geometry/compensation.h"
 #include "calibrate/geometry/geometry_output.h"
-#include "calibrate/geometry/simulate.h"
+#include "calibrate/geometry/pose_selection.h"
+#include "calibrate/geometry/simulated_tcps.h"
 #include "calibrate/geometry/squareness.h"
-#include "calibrate/geometry/suggest.h"
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 
@@ -95,8 +95,8 @@ TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
     EXPECT_NEAR(square[0].value_um_m, 1e6 * std::sin(tilt_rad), 1e-2);
     EXPECT_NEAR(square[1].value_um_m, 0, 1e-2);
     EXPECT_NEAR(square[2].value_um_m, -1e6 * std::sin(back) * std::cos(tilt_rad), 1e-2);
-    EXPECT_EQ(fixed_reason(fit, "tool x_mm"), "does what -X zero_mm does");
-    EXPECT_EQ(fixed_reason(fit, "tool turn_x_deg"), "moves no tip that was measured");
+    EXPECT_EQ(fixed_reason(fit, "tool x_mm"), "is redundant: -X zero_mm has the same effect");
+    EXPECT_EQ(fixed_reason(fit, "tool turn_x_deg"), "moves no measured TCP position");
 }
 
 // The table turns about (c, d): a point p is at R (p - c) + c of it.
@@ -129,7 +129,7 @@ TEST(GeometryClosedForm, TheFileIsTheMachine) {
             fitted(machine, simulated_tcps(ground_truth.geometry, poses, {0.002, 0.001}, 4),
                    {.deviation_options = {{}, {"scale"}}, .noise_mm = {}, .noise_deg = {}});
         const auto read = machine::read_machine(geometry_text(fit).value(), "fitted.toml");
-        ASSERT_TRUE(read) << name << ": " << read.error();
+        ASSERT_TRUE(read) << name << ": " << read.error().message;
         const auto kinematics = machine::make_kinematics(*read);
         const TcpCalculator calculator(fit.geometry);
         for (const MeasuredTcp& pose : poses) {
@@ -207,7 +207,7 @@ TEST(GeometryClosedForm, WhatIsNotLookedForIsSeen) {
     EXPECT_FALSE(straight.noise_is_estimated);
     EXPECT_NEAR(straight.noise.deg, 0.002, 0.0005);
     EXPECT_NEAR(straight.residual_noise_ratio, 1, 0.2);
-    EXPECT_THAT(geometry_table(straight, {}), Not(HasSubstr("more is left than noise")));
+    EXPECT_THAT(geometry_table(straight, {}), Not(HasSubstr("the residual exceeds the noise")));
     for (MeasuredTcp& tcp : tcps) {
         const double x = tcp.readings[0] / 250;
         const Vector3d bent(0, 0.1 * x * x, 0);
@@ -215,7 +215,7 @@ TEST(GeometryClosedForm, WhatIsNotLookedForIsSeen) {
     }
     const GeometryFit bent = fitted(machine, tcps, options);
     EXPECT_GT(bent.residual_noise_ratio, 1.5);
-    EXPECT_THAT(geometry_table(bent, {}), HasSubstr("more is left than noise"));
+    EXPECT_THAT(geometry_table(bent, {}), HasSubstr("the residual exceeds the noise"));
 }
 
 TEST(GeometryClosedForm, AnInstrumentMayStandAnywhere) {
@@ -259,10 +259,11 @@ TEST(GeometryClosedForm, HeldDeviationsStay) {
     EXPECT_EQ(find_unknown_fixed(gantry(), {.instrument_frame = true, .fixed = {"X", "instrument"}}),
               std::nullopt);
     const auto none = fit_geometry(gantry(), {}, {});
-    EXPECT_EQ(none.error(), "there are no measured tips");
+    EXPECT_EQ(none.error().message, "there are no measured TCP positions");
     const std::vector<MeasuredTcp> one(tcps.begin(), tcps.begin() + 1);
-    EXPECT_EQ(fit_geometry(gantry(), one, {}).error(),
-              "these tips tell nothing of the machine's geometry: there are too few, or all is held");
+    EXPECT_EQ(fit_geometry(gantry(), one, {}).error().message,
+              "these TCP positions do not determine the machine's geometry: there are too few, or all "
+              "deviations are fixed");
 }
 
 // With the table LinuxCNC sends the motor to nominal + (nominal - forward). The axis is then where it should
@@ -296,8 +297,9 @@ TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
               "G21\nG10 L2 P1 X0.2500 Y-0.5000 Z0.1250\n");
     const machine::Machine arm = sample("arm6");
     const auto poses = suggest_poses(arm, 30, true, {}).value();
-    EXPECT_EQ(work_offset_line(arm, fitted(arm, poses)).error(),
-              "a work offset (--g10) needs three linear axes that bring the tip to the work frame's origin");
+    EXPECT_EQ(
+        work_offset_line(arm, fitted(arm, poses)).error().message,
+        "a work offset (--g10) requires three linear axes that move the TCP to the origin of the work frame");
 }
 
 // D-optimal: the deviations' ellipsoid is smaller than that of as many poses that are spread evenly.
@@ -325,8 +327,8 @@ TEST(GeometryClosedForm, SuggestedPosesTellMore) {
             }
         }
     }
-    EXPECT_EQ(suggest_poses(gantry(), 3, false, {}).error(),
-              "12 deviations of this machine can be told, which takes 5 poses at least");
+    EXPECT_EQ(suggest_poses(gantry(), 3, false, {}).error().message,
+              "12 deviations of this machine can be determined, which requires at least 5 poses");
 }
 
 TEST(GeometryClosedForm, OutcomesTellBothWays) {
@@ -338,12 +340,12 @@ TEST(GeometryClosedForm, OutcomesTellBothWays) {
     const auto square = compute_squareness(machine, fit);
     EXPECT_THAT(geometry_table(fit, square),
                 testing::AllOf(HasSubstr("C shift_x_mm"), HasSubstr("square X Y"), HasSubstr("noise found"),
-                               HasSubstr("30 tips: ")));
+                               HasSubstr("30 TCP positions: ")));
     EXPECT_THAT(geometry_json(fit, square),
                 testing::AllOf(HasSubstr("\"covariance\""), HasSubstr("\"held\"")));
     EXPECT_THAT(tcps_svg(fit),
-                testing::AllOf(HasSubstr("<svg"), HasSubstr("tip 30<"), HasSubstr("before, um")));
-    EXPECT_THAT(geometry_text(fit).value(), HasSubstr("which a machine file cannot say"));
+                testing::AllOf(HasSubstr("<svg"), HasSubstr("TCP 30<"), HasSubstr("before, um")));
+    EXPECT_THAT(geometry_text(fit).value(), HasSubstr("which a machine file cannot contain"));
 }
 
 }  // namespace

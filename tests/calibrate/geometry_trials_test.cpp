@@ -13,8 +13,8 @@
 
 #include "base/text/format.h"
 #include "calibrate/geometry/geometry_fit.h"
-#include "calibrate/geometry/simulate.h"
-#include "calibrate/geometry/suggest.h"
+#include "calibrate/geometry/pose_selection.h"
+#include "calibrate/geometry/simulated_tcps.h"
 #include "machine/file/machine_file.h"
 #include "tests/support/machine_path.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "calibrate/geometry/suggest.h"
+#include "calibrate/geometry/pose_selection.h"
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 
@@ -17,7 +17,7 @@ machine::Machine mill() {
 
 std::string error_of(const std::string& list) {
     const auto read = read_tcps(list, mill());
-    return read ? "none" : read.error();
+    return read ? "none" : read.error().message;
 }
 
 TEST(MeasuredTips, ColumnsInAnyOrder) {
@@ -47,15 +47,15 @@ TEST(MeasuredTips, OrientationIsThatOfMachineFiles) {
 
 TEST(MeasuredTips, FaultsAreTold) {
     EXPECT_EQ(error_of(""), "it is empty");
-    EXPECT_EQ(error_of("X,x_mm,y_mm\n"), "line 1: it should name the columns, 'z_mm' among them");
+    EXPECT_EQ(error_of("X,x_mm,y_mm\n"), "line 1: it must name the columns, 'z_mm' among them");
     EXPECT_EQ(error_of("x_mm,y_mm,z_mm,roll_deg\n"),
-              "line 1: an orientation has all of the columns 'roll_deg', 'pitch_deg' and 'yaw_deg'");
-    EXPECT_EQ(error_of("X,x_mm,y_mm,z_mm\n\n1,2,x,4\n"), "line 3: 'x' should be a number");
+              "line 1: an orientation requires all of the columns 'roll_deg', 'pitch_deg' and 'yaw_deg'");
+    EXPECT_EQ(error_of("X,x_mm,y_mm,z_mm\n\n1,2,x,4\n"), "line 3: 'x' must be a number");
     EXPECT_EQ(error_of("X,x_mm,y_mm,z_mm\n1,2,,4\n"), "line 2: a column is missing or empty");
     EXPECT_EQ(error_of("X,x_mm,y_mm,z_mm\n1,2\n"), "line 2: a column is missing or empty");
-    EXPECT_EQ(error_of("X,x_mm,y_mm,z_mm\nnan,2,3,4\n"), "line 2: 'nan' should be a number");
+    EXPECT_EQ(error_of("X,x_mm,y_mm,z_mm\nnan,2,3,4\n"), "line 2: 'nan' must be a number");
     EXPECT_EQ(error_of("x_mm,y_mm,z_mm,sigma_mm\n1,2,3,0\n"),
-              "line 2: '0' should be a standard deviation above 0");
+              "line 2: '0' must be a standard deviation greater than 0");
 }
 
 TEST(MeasuredTips, PrintedListsAreReadBack) {
@@ -74,8 +74,8 @@ TEST(MeasuredTips, AProgramGoesToEachPose) {
     std::vector<MeasuredTcp> poses(1);
     poses[0].readings = {1, 2.5, 3, -4, 5};
     EXPECT_EQ(pose_program(poses, mill()),
-              "(poses to measure: clear the machine first, collisions are not looked at)\nG21 G90\n"
-              "G53 G0 X1.000 Y2.500 Z3.000 A-4.000 C5.000\nM0 (measure 1)\nM2\n");
+              "(poses to measure: clear the machine first, collisions are not checked)\nG21 G90\nG53 G0 "
+              "X1.000 Y2.500 Z3.000 A-4.000 C5.000\nM0 (measure 1)\nM2\n");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "calibrate/times/passages.h"
+#include "calibrate/times/passage_times.h"
 #include "calibrate/times/recorded_run.h"
 
 namespace gsim::calibrate::motion_record_test {
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 std::vector<MotionSample> read(const std::string& text, const RecordFormat& record_format = {}) {
     const auto samples = read_motion_record(text, record_format);
-    EXPECT_TRUE(samples) << samples.error();
+    EXPECT_TRUE(samples) << samples.error().message;
     return samples.value_or(std::vector<MotionSample>{});
 }
 
@@ -39,8 +39,8 @@ TEST(MotionRecord, MayBeWhatHalsamplerPrints) {
     ASSERT_EQ(numbered.size(), 2U);
     expect_sample(numbered[0], 0.020, 1, 0, 2);
     expect_sample(numbered[1], 0.026, 2, 0, 3);
-    EXPECT_THAT(read_motion_record("1 2 3\n", {}).error(), HasSubstr("--sample-period"));
-    EXPECT_THAT(read_motion_record("1 2\n", record_format).error(), HasSubstr("line 1: 2 columns"));
+    EXPECT_THAT(read_motion_record("1 2 3\n", {}).error().message, HasSubstr("--sample-period"));
+    EXPECT_THAT(read_motion_record("1 2\n", record_format).error().message, HasSubstr("line 1: 2 columns"));
 }
 
 TEST(MotionRecord, MayBeStatusReportsOfGrbl) {
@@ -52,7 +52,7 @@ TEST(MotionRecord, MayBeStatusReportsOfGrbl) {
     expect_sample(samples[0], 43200.1, 0, 0, 0);
     expect_sample(samples[1], 43200.35, 5, 1, 0.5);
     EXPECT_EQ(read("0.5 <Run|MPos:1,2,3>\n0.7 <Run|MPos:1,2,4|Bf:15,128>\n").size(), 2U);
-    EXPECT_THAT(read_motion_record("<Run|MPos:1,2,3>\n", {}).error(), HasSubstr("line 1"));
+    EXPECT_THAT(read_motion_record("<Run|MPos:1,2,3>\n", {}).error().message, HasSubstr("line 1"));
 }
 
 TEST(MotionRecord, MayBeMtconnect) {
@@ -77,10 +77,12 @@ TEST(MotionRecord, MayBeMtconnect) {
 }
 
 TEST(MotionRecord, SaysWhatIsWrong) {
-    EXPECT_EQ(read_motion_record(" \n", {}).error(), "it is empty");
-    EXPECT_THAT(read_motion_record("a,b\n1,2\n", {}).error(), HasSubstr("line 1 should name the columns"));
-    EXPECT_THAT(read_motion_record("t_s,x_mm\n1,soon\n", {}).error(), HasSubstr("line 2"));
-    EXPECT_THAT(read_motion_record("t_s,x_mm\n1,1\n", {}).error(), HasSubstr("less than two"));
+    EXPECT_EQ(read_motion_record(" \n", {}).error().message, "it is empty");
+    EXPECT_THAT(read_motion_record("a,b\n1,2\n", {}).error().message,
+                HasSubstr("line 1 must name the columns"));
+    EXPECT_THAT(read_motion_record("t_s,x_mm\n1,soon\n", {}).error().message, HasSubstr("line 2"));
+    EXPECT_THAT(read_motion_record("t_s,x_mm\n1,1\n", {}).error().message,
+                HasSubstr("fewer than two samples"));
     EXPECT_FALSE(read_motion_record(std::string("\0\0<Pos:|\xff", 9), {}));
 }
 
@@ -102,7 +104,7 @@ TEST(Passages, AreWhereARecordingIsNearest) {
     EXPECT_NEAR(span->start_s, 0, 1e-9);
     EXPECT_NEAR(span->end_s, 3, 1e-9);
     const std::vector<Eigen::Vector3d> places{{2.5, 0, 0}, {9.98, 0.02, 0}, {500, 0, 0}, {10, 7.5, 0}};
-    const auto passages = passages_s(samples, places);
+    const auto passages = passage_times_s(samples, places);
     ASSERT_EQ(passages.size(), 4U);
     EXPECT_NEAR(passages[0].value_or(0), 0.25, 1e-9);
     EXPECT_NEAR(passages[1].value_or(0), 1.0, 0.01);
@@ -116,7 +118,7 @@ TEST(Passages, OfAPlaceThatIsPassedTwiceAreTwo) {
     for (auto sample = forth.rbegin(); sample != forth.rend(); ++sample)
         samples.push_back({8 - sample->t_s, sample->at_mm});
     const std::vector<Eigen::Vector3d> places{{5, 0, 0}, {10, 10, 0}, {5, 0, 0}};
-    const auto passages = passages_s(samples, places);
+    const auto passages = passage_times_s(samples, places);
     EXPECT_NEAR(passages[0].value_or(0), 0.5, 1e-9);
     EXPECT_NEAR(passages[2].value_or(0), 7.5, 1e-9);
 }

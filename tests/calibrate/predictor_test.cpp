@@ -118,11 +118,11 @@ TEST_F(Programs, TakeAsLongAsRunsDoOnAnyController) {
         SCOPED_TRACE(controller);
         const std::string text = machine_text(controller);
         const auto machine = machine::read_machine(text, "m.toml");
-        ASSERT_TRUE(machine) << machine.error();
+        ASSERT_TRUE(machine) << machine.error().message;
         const auto times = predictor.times_s(*machine);
         ASSERT_EQ(times.size(), runs_.size());
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            ASSERT_TRUE(times[i]) << times[i].error();
+            ASSERT_TRUE(times[i]) << times[i].error().message;
             EXPECT_NEAR(*times[i], run_time_s(runs_[i].program, text), 1e-9) << kPrograms[i];
         }
     }

@@ -8,7 +8,7 @@ namespace {
 TEST(RecordedRuns, AreLinesWithAProgramAndATime) {
     const auto runs =
         read_recorded_runs("time_s, program ,who\r\n 1.5,a.nc,me\r\n\n2e1,\"/b/c.nc\",you\n", "shop");
-    ASSERT_TRUE(runs) << runs.error();
+    ASSERT_TRUE(runs) << runs.error().message;
     ASSERT_EQ(runs->size(), 2U);
     EXPECT_EQ((*runs)[0].program, "shop/a.nc");
     EXPECT_EQ((*runs)[0].time_s, 1.5);
@@ -18,7 +18,7 @@ TEST(RecordedRuns, AreLinesWithAProgramAndATime) {
 
 TEST(RecordedRuns, MayBeATableOfNamesAndCycleTimes) {
     const auto runs = read_recorded_runs("name\tmachine\tcycle_time_s\nx\trouter\t3\n", "");
-    ASSERT_TRUE(runs) << runs.error();
+    ASSERT_TRUE(runs) << runs.error().message;
     ASSERT_EQ(runs->size(), 1U);
     EXPECT_EQ((*runs)[0].program, "x.ngc");
 }
@@ -26,7 +26,7 @@ TEST(RecordedRuns, MayBeATableOfNamesAndCycleTimes) {
 TEST(RecordedRuns, MayNameFilesOfPositions) {
     const auto runs =
         read_recorded_runs("program,record,time_s\na.nc,a.csv,\nb.nc,,2\nc.nc,/c.log,3\n", "shop");
-    ASSERT_TRUE(runs) << runs.error();
+    ASSERT_TRUE(runs) << runs.error().message;
     ASSERT_EQ(runs->size(), 3U);
     EXPECT_EQ((*runs)[0].record, "shop/a.csv");
     EXPECT_EQ((*runs)[0].time_s, 0);
@@ -37,15 +37,16 @@ TEST(RecordedRuns, MayNameFilesOfPositions) {
 }
 
 TEST(RecordedRuns, SayWhichLineLacksWhat) {
-    EXPECT_EQ(read_recorded_runs("", "").error(), "it is empty");
-    EXPECT_EQ(read_recorded_runs("a,b\n", "").error(),
-              "line 1: it should name the columns, 'program' and 'time_s' (or 'record') among them");
-    EXPECT_EQ(read_recorded_runs("program,time_s\na.nc\n", "").error(), "line 2: a column is missing");
-    EXPECT_EQ(read_recorded_runs("name,cycle_time_s\na,1\n,2\n", "").error(),
+    EXPECT_EQ(read_recorded_runs("", "").error().message, "it is empty");
+    EXPECT_EQ(read_recorded_runs("a,b\n", "").error().message,
+              "line 1: it must name the columns, including 'program' and 'time_s' (or 'record')");
+    EXPECT_EQ(read_recorded_runs("program,time_s\na.nc\n", "").error().message,
+              "line 2: a column is missing");
+    EXPECT_EQ(read_recorded_runs("name,cycle_time_s\na,1\n,2\n", "").error().message,
               "line 3: the name of the program is missing");
     for (const char* time : {"soon", "", "0", "-1", "nan", "1e999", "1 s"}) {
-        EXPECT_EQ(read_recorded_runs(std::string("program,time_s\na.nc,") + time + "\n", "").error(),
-                  std::string("line 2: '") + time + "' should be a time above 0 s");
+        EXPECT_EQ(read_recorded_runs(std::string("program,time_s\na.nc,") + time + "\n", "").error().message,
+                  std::string("line 2: '") + time + "' must be a time greater than 0 s");
     }
 }
 

@@ -116,10 +116,11 @@ TEST(ServoFit, SaysWhatTellsNothing) {
     AxisRecord still = strokes();
     still.set_points.assign(still.set_points.size(), 3);
     still.positions = still.set_points;
-    EXPECT_THAT(fit_servo(still).error(), testing::HasSubstr("does not move"));
+    EXPECT_THAT(fit_servo(still).error().message, testing::HasSubstr("does not move"));
     AxisRecord perfect = strokes();
     perfect.positions = perfect.set_points;
-    EXPECT_THAT(fit_servo(perfect).error(), testing::HasSubstr("without an error"));
+    EXPECT_THAT(fit_servo(perfect).error().message,
+                testing::HasSubstr("no following error that can be fitted"));
 }
 
 }  // namespace

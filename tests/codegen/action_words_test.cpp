@@ -1,26 +1,26 @@
 // Parts of an action's name that return in the block of a post.
-#include "codegen/post/action_words.h"
-
 #include <gtest/gtest.h>
+
+#include "codegen/post/action_blocks.h"
 
 namespace gsim::codegen::action_words_test {
 namespace {
 
-const ActionWords::Blocks kBlocks{{"stop", "M0"},
-                                  {"quiet", ""},
-                                  {"output {digit} on", "#110{digit}=1"},
-                                  {"output {two_digits} on", "#11{two_digits}=1"},
-                                  {"limit {axis} {value_mm} mm", "G48.1 {axis}{value_mm}"},
-                                  {"say {text} (so)", "(MSG,{text})"},
-                                  {"say {text}", "(PRINT,{text})"},
-                                  {"turn {angle}", "M19 R{angle}"},
-                                  {"turn 90", "M19"}};
+const ActionBlocks::Blocks kBlocks{{"stop", "M0"},
+                                   {"quiet", ""},
+                                   {"output {digit} on", "#110{digit}=1"},
+                                   {"output {two_digits} on", "#11{two_digits}=1"},
+                                   {"limit {axis} {value_mm} mm", "G48.1 {axis}{value_mm}"},
+                                   {"say {text} (so)", "(MSG,{text})"},
+                                   {"say {text}", "(PRINT,{text})"},
+                                   {"turn {angle}", "M19 R{angle}"},
+                                   {"turn 90", "M19"}};
 
 std::optional<std::string> block(std::string_view action, double unit_mm = 1) {
-    return ActionWords(kBlocks).find_block(action, unit_mm);
+    return ActionBlocks(kBlocks).find_block(action, unit_mm);
 }
 
-TEST(ActionWords, ANameWithoutPlacesGoesFirst) {
+TEST(ActionBlocks, ANameWithoutPlacesGoesFirst) {
     EXPECT_EQ(block("stop"), "M0");
     EXPECT_EQ(block("quiet"), "") << "the control does so by itself";
     EXPECT_EQ(block("turn 90"), "M19");
@@ -28,7 +28,7 @@ TEST(ActionWords, ANameWithoutPlacesGoesFirst) {
     EXPECT_EQ(block("turn -3"), "M19 R-3");
 }
 
-TEST(ActionWords, PlacesTakeWhatTheirNamesSay) {
+TEST(ActionBlocks, PlacesTakeWhatTheirNamesSay) {
     EXPECT_EQ(block("output 7 on"), "#1107=1");
     EXPECT_EQ(block("output 17 on"), "#1117=1");
     EXPECT_EQ(block("output 117 on"), std::nullopt);
@@ -40,12 +40,12 @@ TEST(ActionWords, PlacesTakeWhatTheirNamesSay) {
 }
 
 // The text after the inner brace was taken for a separate placeholder, and the name left by its end.
-TEST(ActionWords, ABraceWithinAPlaceIsPartOfItsName) {
-    const ActionWords::Blocks blocks{{"turn {{angle} degrees", "M19 R{{angle}"}};
-    EXPECT_EQ(ActionWords(blocks).find_block("turn 90 degrees", 1), "M19 R90");
+TEST(ActionBlocks, ABraceWithinAPlaceIsPartOfItsName) {
+    const ActionBlocks::Blocks blocks{{"turn {{angle} degrees", "M19 R{{angle}"}};
+    EXPECT_EQ(ActionBlocks(blocks).find_block("turn 90 degrees", 1), "M19 R90");
 }
 
-TEST(ActionWords, TextsEndWhereWhatIsBehindThemBegins) {
+TEST(ActionBlocks, TextsEndWhereWhatIsBehindThemBegins) {
     EXPECT_EQ(block("say hello there (so)"), "(MSG,hello there)");
     EXPECT_EQ(block("say hello"), "(PRINT,hello)");
     EXPECT_EQ(block("say (hello)"), std::nullopt) << "no comment could hold it";

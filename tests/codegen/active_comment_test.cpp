@@ -103,10 +103,10 @@ TEST(ActiveComments, NotMoreValuesThanACallTakes) {
     std::string values;
     for (int i = 1; i <= 50; ++i) values += fmt::format("#{}", i);
     EXPECT_EQ(compile_error(translated_ngc("(DEBUG," + values + ")\n").lua), std::nullopt);
-    EXPECT_EQ(lua("DEBUG," + values + "#<x>"), "1:1: error: a comment shows at most 50 values\n");
+    EXPECT_EQ(lua("DEBUG," + values + "#<x>"), "1:1: error: a comment can print at most 50 values\n");
     std::string many = "DEBUG,";
     for (int i = 0; i < 20000; ++i) many += "#1";
-    EXPECT_EQ(lua(many), "1:1: error: a comment shows at most 50 values\n");
+    EXPECT_EQ(lua(many), "1:1: error: a comment can print at most 50 values\n");
 }
 
 /// Texts of all bytes that a comment can hold: the Lua must compile and hold no other statement.

@@ -78,8 +78,8 @@ TEST(BlockWords, OneShotsWithoutAMoveAreDropped) {
     const Translated result = translated("G53\nG1 X1\nG9 F5\n");
     EXPECT_TRUE(result.ok);
     EXPECT_EQ(result.messages,
-              "1:1: warning: G53 does nothing in a block without a move\n"
-              "3:1: warning: G9 does nothing in a block without a move\n");
+              "1:1: warning: G53 has no effect in a block without a move\n3:1: warning: G9 has no effect in "
+              "a block without a move\n");
     EXPECT_EQ(result.code(1), "");
     EXPECT_EQ(result.code(3), "F(5)");
 }

@@ -83,27 +83,28 @@ TEST(CommandWriter, WhatHasNoEffectIsSaidOnceWithTheCount) {
     EXPECT_EQ(result.code(3), "");
     EXPECT_EQ(result.code(5), "G4()");
     EXPECT_EQ(result.messages,
-              "1:5: warning: Klipper reads one command a line: G90 behind G21 has no effect (1 in all)\n"
-              "1:9: warning: Klipper reads one command a line: G94 behind G21 has no effect (1 in all)\n"
-              "2:1: warning: M6 is no command by which Klipper moves or waits: no effect (2 in all)\n"
-              "3:1: warning: X40 is no command by which Klipper moves or waits: no effect (1 in all)\n"
-              "5:4: warning: Klipper does not read S of G4: no effect (1 in all)\n"
-              "6:1: warning: G01 is no command by which Klipper moves or waits: no effect (1 in all)\n"
-              "7:1: warning: G28 (homing) is not simulated: no effect (1 in all)\n");
+              "1:5: warning: Klipper reads one command per line: G90 after G21 has no effect (1 in total)\n"
+              "1:9: warning: Klipper reads one command per line: G94 after G21 has no effect (1 in total)\n"
+              "2:1: warning: M6 is not a motion or dwell command of Klipper: no effect (2 in total)\n"
+              "3:1: warning: X40 is not a motion or dwell command of Klipper: no effect (1 in total)\n"
+              "5:4: warning: Klipper does not read S of G4: no effect (1 in total)\n"
+              "6:1: warning: G01 is not a motion or dwell command of Klipper: no effect (1 in total)\n"
+              "7:1: warning: G28 (homing) is not simulated: no effect (1 in total)\n");
 }
 
 TEST(CommandWriter, TheLastOfTwoLikeParametersCounts) {
     const Translated result = klipper("G1 X5 X7\n");
     EXPECT_EQ(result.code(1), "G1{x=7}");
-    EXPECT_EQ(result.messages, "1:7: warning: X stands twice behind G1: the last one counts (1 in all)\n");
+    EXPECT_EQ(result.messages,
+              "1:7: warning: X is given twice after G1: the last one is used (1 in total)\n");
 }
 
 TEST(CommandWriter, WhatIsNoNumberIsAnError) {
     EXPECT_TRUE(lua_of_line("G1 X10 (a remark)")
-                    .starts_with("1:4: error: '10 (' behind X is no number, which ends the program\n"));
-    EXPECT_EQ(lua_of_line("G1 Y"), "1:4: error: '' behind Y is no number, which ends the program\n");
+                    .starts_with("1:4: error: '10 (' after X is not a number, which ends the program\n"));
+    EXPECT_EQ(lua_of_line("G1 Y"), "1:4: error: '' after Y is not a number, which ends the program\n");
     EXPECT_EQ(lua_of_line("SET_VELOCITY_LIMIT ACCEL"),
-              "1:1: error: SET_VELOCITY_LIMIT takes its parameters as NAME=VALUE\n");
+              "1:1: error: SET_VELOCITY_LIMIT requires its parameters as NAME=VALUE\n");
 }
 
 TEST(CommandWriter, ALineThatIsTooLongIsAnError) {

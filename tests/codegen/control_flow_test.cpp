@@ -31,7 +31,7 @@ TEST(Loops, Errors) {
     EXPECT_EQ(messages("WHILE[1]DO1\nWHILE[1]DO2\nEND1\nEND2\nEND1\n"),
               "3:4: error: END 1 closes DO 2, which is open since line 2\n");
     EXPECT_EQ(messages("WHILE[1]DO1\nWHILE[1]DO1\nEND1\n"),
-              "2:11: error: DO 1 is open already, since line 1; nested loops take different numbers\n");
+              "2:11: error: DO 1 is already open since line 1; nested loops must have different numbers\n");
 }
 
 TEST(Jumps, OnlyTargetsGetALabel) {
@@ -71,17 +71,17 @@ TEST(Jumps, ComputedOnesInALoopReachItsBlocksToo) {
 }
 
 TEST(Jumps, Errors) {
-    EXPECT_EQ(messages("GOTO5\n"), "1:5: error: GOTO 5: there is no N5 in this program\n");
-    EXPECT_EQ(messages("O1\nGOTO5\nO2\nN5\n"), "2:5: error: GOTO 5: there is no N5 in this program\n");
+    EXPECT_EQ(messages("GOTO5\n"), "1:5: error: GOTO 5: N5 does not exist in this program\n");
+    EXPECT_EQ(messages("O1\nGOTO5\nO2\nN5\n"), "2:5: error: GOTO 5: N5 does not exist in this program\n");
     EXPECT_EQ(messages("GOTO6\nWHILE[1]DO1\nN6\nEND1\n"),
-              "1:5: error: GOTO 6 leads into a WHILE loop from outside\n");
+              "1:5: error: GOTO 6 jumps into a WHILE loop from outside\n");
     EXPECT_EQ(messages("WHILE[1]DO1\nGOTO6\nEND1\nWHILE[1]DO1\nN6\nEND1\n"),
-              "2:5: error: GOTO 6 leads into a WHILE loop from outside\n");
+              "2:5: error: GOTO 6 jumps into a WHILE loop from outside\n");
     EXPECT_EQ(messages("N7\nGOTO7\nN7\n"),
-              "3:1: error: N7 stands twice in this program, and a GOTO leads to it\n");
-    EXPECT_EQ(messages("GOTO5.5\n"), "1:5: error: a jump leads to a block number, not to 5.5\n");
+              "3:1: error: N7 is defined twice in this program, and a GOTO jumps to it\n");
+    EXPECT_EQ(messages("GOTO5.5\n"), "1:5: error: the target of a jump must be a block number, not 5.5\n");
     EXPECT_EQ(messages("GOTO1234567890\n"),
-              "1:5: error: a jump leads to a block number, not to 1234567890\n");
+              "1:5: error: the target of a jump must be a block number, not 1234567890\n");
     EXPECT_EQ(messages("N7\nN7\n"), "") << "without a GOTO it does not matter";
 }
 
@@ -95,7 +95,7 @@ TEST(Jumps, OutOfALoopAndWithinItAreAllowed) {
 TEST(Jumps, AnErrorInOneBlockBringsNoOther) {
     EXPECT_EQ(messages("GOTO5\nN5 @\n"), "2:4: error: unexpected character '@'\n") << "N5 is there";
     EXPECT_EQ(messages("O1\nGOTO5\nN5\nO2 @\nGOTO6\nN6\n"), "4:4: error: unexpected character '@'\n");
-    EXPECT_EQ(messages("GOTO5\nN5 X1 X2\n"), "2:7: error: X stands twice in the block\n");
+    EXPECT_EQ(messages("GOTO5\nN5 X1 X2\n"), "2:7: error: X is given twice in the block\n");
 }
 
 TEST(Jumps, AsManyAsLuaTakes) {
@@ -105,32 +105,31 @@ TEST(Jumps, AsManyAsLuaTakes) {
     EXPECT_TRUE(max.ok) << max.messages;
     EXPECT_EQ(compile_error(max.lua), std::nullopt);
     EXPECT_EQ(messages(gcode + "N32001\nN32002\n"),
-              "32002:1: error: the program has more than 32000 blocks that a GOTO may mean, which Lua cannot "
-              "label in "
-              "one function\n");
+              "32002:1: error: the program has more than 32000 blocks that a GOTO may target, which exceeds "
+              "the limit of one Lua function\n");
     std::string jumps;
     for (int i = 0; i < 32001; ++i) jumps += "GOTO1\n";
-    EXPECT_EQ(
-        messages(jumps + "N1\n"),
-        "32001:5: error: the program has more than 32000 GOTOs, which Lua cannot hold in one function\n");
+    EXPECT_EQ(messages(jumps + "N1\n"),
+              "32001:5: error: the program has more than 32000 GOTOs, which exceeds the limit of one Lua "
+              "function\n");
 }
 
 TEST(Jumps, NotFartherThanLuaReaches) {
     std::string far = "O1\nWHILE[#1]DO1\n";
     for (int i = 0; i < 650000; ++i) far += "X1Y2Z3B4\n";
-    EXPECT_EQ(
-        messages(far + "END1\n"),
-        "2:12: error: the loop up to line 650003 is too long for Lua; put its body into a subprogram\n");
+    EXPECT_EQ(messages(far + "END1\n"),
+              "2:12: error: the loop up to line 650003 is too long for Lua; move its body to a subprogram\n");
     far.replace(far.find("WHILE"), 12, "GOTO5");
     EXPECT_EQ(messages(far + "N5\n"),
-              "2:5: error: GOTO 5 leads too far away for Lua; put what it jumps over into a subprogram\n");
+              "2:5: error: GOTO 5 jumps too far for Lua; move the skipped blocks to a subprogram\n");
 }
 
 TEST(Programs, NamesAndCalls) {
-    EXPECT_EQ(messages("O1\nM2\nO0001\n"), "3:2: error: the program O0001 stands twice in this file\n");
-    EXPECT_EQ(messages("OPART\nOPART\n"), "2:1: error: the program OPART stands twice in this file\n");
-    EXPECT_EQ(messages("M98 P7\nM98 P0007\nM98 P8\nO8\nM99\n"),
-              "1:5: warning: program O7 is not in this file; it is looked for beside it when it is called\n");
+    EXPECT_EQ(messages("O1\nM2\nO0001\n"), "3:2: error: the program O0001 is defined twice in this file\n");
+    EXPECT_EQ(messages("OPART\nOPART\n"), "2:1: error: the program OPART is defined twice in this file\n");
+    EXPECT_EQ(
+        messages("M98 P7\nM98 P0007\nM98 P8\nO8\nM99\n"),
+        "1:5: warning: program O7 is not in this file; it is searched for next to it when it is called\n");
     const Translated result = translated("(head)\nN5\nO01\nX1\nO2\n");
     EXPECT_EQ(result.code(0).substr(0, 27), "local _ENV = require \"gsim\"");
     EXPECT_EQ(result.lua.find("nil"), std::string::npos) << "comments alone are no program";
@@ -147,7 +146,7 @@ TEST(Errors, StopAtTheNumberAllowed) {
     EXPECT_EQ(result.diagnostics,
               "t:1:1: error: unexpected character '@'\n  @\n  ^\n"
               "t:2:1: error: unexpected character '@'\n  @\n  ^\n"
-              "t: note: 2 errors, giving up\n");
+              "t: note: stopped after 2 errors\n");
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST(Nesting, DeepExpressionsCompileOrAreReported) {
             } else {
                 ++reported;
                 ASSERT_NE(
-                    result.messages.find("nested too deep for Lua; put a part of it into a variable first"),
+                    result.messages.find("nested too deep for Lua; assign a part of it to a variable first"),
                     std::string::npos)
                     << result.messages;
             }

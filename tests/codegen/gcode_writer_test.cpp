@@ -9,15 +9,15 @@
 namespace gsim::codegen::gcode_writer_test {
 namespace {
 
-constexpr std::array<WrittenAxis, 4> kAxes{{{'X', false}, {'Y', false}, {'Z', false}, {'B', true}}};
-constexpr WrittenFeed kFeed{1000, false};
+constexpr std::array<GcodeAxis, 4> kAxes{{{'X', false}, {'Y', false}, {'Z', false}, {'B', true}}};
+constexpr GcodeFeed kFeed{1000, false};
 
 struct Text {
     explicit Text(const std::string& post_name, WriterOptions options = {})
         : post(find_post(post_name).value()),
           writer(post, kAxes, options, [this](std::string_view chunk) { text += chunk; }) {}
     std::string all() {
-        writer.flush();
+        writer.text().flush();
         return text;
     }
     void to(double x, double y, double z, double b) { writer.move(std::array{x, y, z, b}, kFeed); }
@@ -106,8 +106,8 @@ TEST(GcodeWriter, ArcsOfEachPlane) {
 TEST(GcodeWriter, AfterACallNothingIsKnown) {
     Text ab9("ab9");
     ab9.to(1, 2, 3, 4);
-    ab9.writer.placeholders()["number"] = "0007";
-    ab9.writer.lines(ab9.post.subprogram->call);
+    ab9.writer.text().placeholders()["number"] = "0007";
+    ab9.writer.text().lines(ab9.post.subprogram->call);
     ab9.writer.forget();
     ab9.to(1, 2, 3, 4);
     EXPECT_EQ(ab9.all(),
@@ -136,11 +136,11 @@ TEST(GcodeWriter, BlockNumbersBeginAnewBeforeTheyGrowTooLong) {
 TEST(GcodeWriter, OffsetsAreSetAndTheToolGoesUp) {
     Text ngc("rs274ngc", {.inch = true}), ab9("ab9");
     for (Text* each : {&ngc, &ab9}) {
-        each->writer.set_work_offset("59.1", {25.4, -50.8, 0});
+        each->writer.offsets().set_origin("59.1", {25.4, -50.8, 0});
         each->to(25.4, 0, 0, 0);
-        each->writer.retract(127);
+        each->writer.machine().retract(127);
         each->to(25.4, 0, 0, 0);
-        each->writer.work_offset("59.1");
+        each->writer.offsets().select("59.1");
         each->to(25.4, 0, 0, 0);
     }
     EXPECT_EQ(
@@ -154,9 +154,8 @@ TEST(PostFile, TheBuiltInOnesAreThere) {
         EXPECT_EQ(find_post(name).value().name, name);
     }
     EXPECT_FALSE(find_post("grbl").value().subprogram);
-    EXPECT_EQ(
-        find_post("gbrl").error(),
-        "there is no post 'gbrl'; there are ab9, fanuc, rs274ngc, grbl, or name a file that ends in .toml");
+    EXPECT_EQ(find_post("gbrl").error().message,
+              "unknown post 'gbrl'; use ab9, fanuc, rs274ngc, grbl, or a file that ends in .toml");
 }
 
 TEST(PostFile, NamesOfSubprogramsFilesAreHarmlessAndTheirOwn) {
@@ -169,7 +168,7 @@ TEST(PostFile, NamesOfSubprogramsFilesAreHarmlessAndTheirOwn) {
             "file = '" +
                 file + "'\n",
             "p.toml");
-        return post ? std::string() : post.error();
+        return post ? std::string() : post.error().message;
     };
     for (const std::string file :
          {"O{number}.nc", "{program}_O{number}.ppg", "{lower}_o{number}", "a-b.{number}"})
@@ -178,14 +177,14 @@ TEST(PostFile, NamesOfSubprogramsFilesAreHarmlessAndTheirOwn) {
          {".bashrc{number}", "../{number}", "a/{number}", "-{number}", "{number} {program}", "{number}..nc",
           "{number}~", "{number}*", "{number}\\a", "a:{number}", "", "ä{number}"}) {
         EXPECT_EQ(error_of(file),
-                  "p.toml:22:8: 'file' must be a name of letters, digits, '_', '-' and '.', of 100 at most, "
-                  "that begins "
-                  "with a letter, a digit, '_' or a place, such as \"{program}_O{number}.nc\"")
+                  "p.toml:22:8: 'file' must be a name of letters, digits, '_', '-' and '.', of at most 100 "
+                  "characters, that begins with a letter, a digit, '_' or a placeholder, such as "
+                  "\"{program}_O{number}.nc\"")
             << file;
     }
     for (const std::string file : {"sub.nc", "{program}.nc", "{lower}"})
         EXPECT_EQ(error_of(file),
-                  "p.toml:22:8: 'file' must hold {number}, so that each subprogram has a file of its own");
+                  "p.toml:22:8: 'file' must contain {number}, so that each subprogram has a separate file");
     EXPECT_NE(error_of(std::string(101, 'a') + "{number}"), "");
 }
 
@@ -205,38 +204,38 @@ TEST(PostFile, SaysWhatAChangeOfTheToolStops) {
 }
 
 TEST(PostFile, ErrorsNameThePlace) {
-    const auto error = [](const std::string& text) { return read_post(text, "p").error(); };
+    const auto error = [](const std::string& text) { return read_post(text, "p").error().message; };
     EXPECT_EQ(error("name = 1"), "p:1:8: 'name' must be a string, not a number");
     EXPECT_EQ(error("nmae = \"x\""), "p:1:1: unknown key 'nmae' in the post; did you mean 'name'?");
     const std::string head = "name = \"x\"\nreads_as = \"ab9\"\n";
     EXPECT_EQ(error(head + "[numbers]\ndecimals_mm = 2.5"),
-              "p:4:15: 'decimals_mm' must be a whole number from 0 to 6");
+              "p:4:15: 'decimals_mm' must be an integer from 0 to 6");
     const std::string numbers =
         "[numbers]\ndecimals_mm = 3\ndecimals_inch = 4\ndecimals_deg = 3\ndecimals_feed = 3\nzeros = "
         "\"cut\"\n";
     EXPECT_EQ(error(head + numbers + "[blocks]\nnumber_step = 0\nnumber_digits = 0\ndwell = \"G4 P{sec}\""),
-              "p:12:9: 'dwell' knows no {sec}; it may hold {seconds}, {milliseconds}");
+              "p:12:9: 'dwell' has no placeholder {sec}; it may contain {seconds}, {milliseconds}");
     EXPECT_EQ(error("[program]\nbegin = [3]").substr(0, 2), "p:");
     const std::string blocks = "[blocks]\nnumber_step = 0\nnumber_digits = 0\ndwell = \"G4\"\n";
-    EXPECT_EQ(
-        error(head + numbers + blocks + "[arcs]\nthrough_point = [\"CIP\", \"I1=\"]"),
-        "p:14:17: 'through_point' takes four strings: the code, and the letters of X, Y and Z of the point");
+    EXPECT_EQ(error(head + numbers + blocks + "[arcs]\nthrough_point = [\"CIP\", \"I1=\"]"),
+              "p:14:17: 'through_point' must have four strings: the code, and the letters of X, Y and Z of "
+              "the point");
     EXPECT_EQ(error(head + numbers + blocks +
                     "[program]\nbegin = []\nend = []\n[offsets]\nset = \"G10 P{index} X{x} Y{y}\""),
-              "p:17:7: 'set' must hold {index}, {x}, {y}, {z}");
+              "p:17:7: 'set' must contain {index}, {x}, {y}, {z}");
     EXPECT_EQ(
         error(head + numbers + blocks + "[program]\nbegin = []\nend = []\n[tool_change]\nstops = [\"jet\"]"),
-        "p:17:9: 'stops' holds spindle and coolant, not \"jet\"");
+        "p:17:9: 'stops' must contain spindle and coolant, not \"jet\"");
     const std::string full = head + numbers + blocks + "[program]\nbegin = []\nend = []\n";
     EXPECT_EQ(error(full + "[reference_points]\ngo = [\"G28\"]"),
-              "p:17:6: each line of 'go' must hold {axes}");
+              "p:17:6: each line of 'go' must contain {axes}");
     EXPECT_EQ(error(full + "[reference_points]\ngo = [\"G28 {axis}\"]"),
-              "p:17:7: 'go' knows no {axis}; it may hold {axes}");
+              "p:17:7: 'go' has no placeholder {axis}; it may contain {axes}");
     EXPECT_EQ(
         error(full + "[reference_points]\ngo = [\"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\"]"),
-        "p:17:6: 'go' has a line for each reference point, 4 at most");
+        "p:17:6: 'go' must have a line for each reference point, at most 4");
     EXPECT_EQ(error(full + "[probe]\ntouch = [\"G31 {axis}{to}\"]"),
-              "p:17:9: 'touch' must hold {axis}, {to}, {surface}");
+              "p:17:9: 'touch' must contain {axis}, {to}, {surface}");
 }
 
 }  // namespace

@@ -20,9 +20,8 @@ TEST(Dprnt, WritesAFormatAndItsValues) {
     EXPECT_EQ(lua_of("/2 DPRNT[A]"), "if not skipped(2) then DPRNT(\"A\") end");
     EXPECT_EQ(lua_of("X1;DPRNT[A];PCLOS"), "move{x=1} DPRNT(\"A\") PCLOS()");
     const std::string message =
-        "1:1: error: behind a variable DPRNT has the digits before and behind the decimal point in brackets, "
-        "as in "
-        "#100[53]\n";
+        "1:1: error: DPRNT requires the digits before and after the decimal point in brackets after a "
+        "variable, as in #100[53]\n";
     for (const char* text : {"DPRNT[#1]", "DPRNT[#]", "DPRNT[#1[5]]", "DPRNT[#1[533]]", "DPRNT[#1[5.3]]",
                              "DPRNT[#123456[53]]", "DPRNT[##1[53]]", "DPRNT[A#1 [53]]"})
         EXPECT_EQ(lua_of(text), message) << text;

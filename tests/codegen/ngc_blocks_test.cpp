@@ -61,41 +61,44 @@ TEST(NgcBlocks, Errors) {
     const auto error = [](const char* block, const char* message) {
         EXPECT_EQ(ngc_lua_of(block), fmt::format("1:{}\n", message)) << block;
     };
-    error("G4", "1: error: G4 needs P, its seconds");
-    error("G4 X1", "1: error: G4 needs P, its seconds");
-    error("G2 X1", "1: error: G2 needs the centre (I, J, K) or the radius (R) of the arc");
-    error("G92", "1: error: G92 needs the axis words whose coordinates it sets");
+    error("G4", "1: error: G4 requires P, the time in seconds");
+    error("G4 X1", "1: error: G4 requires P, the time in seconds");
+    error("G2 X1", "1: error: G2 requires the centre (I, J, K) or the radius (R) of the arc");
+    error("G92", "1: error: G92 requires the axis words whose coordinates it sets");
     error("G1 X1 I5", "7: error: I has no meaning in a block with G1");
-    error("P5", "1: error: P has no meaning in this block: no code of the block takes it");
-    error("M3 P5", "4: error: P has no meaning in this block: no code of the block takes it");
-    error("H5", "1: error: H has no meaning in this block: no code of the block takes it");
-    error("$1", "1: error: $ has no meaning in this block: no code of the block takes it");
-    error("G10 L2 P1 G92 X1",
-          "11: error: G10 and G92 are of one modal group (one action a block); a block takes one of them");
-    error("G43.1 Z1 G10 L1", "10: error: G43.1 and G10 both take the axis words of the block");
-    error("G43.1 Z5 G0 X1", "10: error: G43.1 and G0 both take the axis words of the block");
-    error("G1 G92 X1", "4: error: G1 and G92 both take the axis words of the block");
-    error("G28 G0", "5: error: G28 and G0 both take the axis words of the block");
+    error("P5", "1: error: P has no meaning in this block: no code of the block uses it");
+    error("M3 P5", "4: error: P has no meaning in this block: no code of the block uses it");
+    error("H5", "1: error: H has no meaning in this block: no code of the block uses it");
+    error("$1", "1: error: $ has no meaning in this block: no code of the block uses it");
+    error(
+        "G10 L2 P1 G92 X1",
+        "11: error: G10 and G92 are in one modal group (one action per block); a block may have only one of "
+        "them");
+    error("G43.1 Z1 G10 L1", "10: error: G43.1 and G10 both use the axis words of the block");
+    error("G43.1 Z5 G0 X1", "10: error: G43.1 and G0 both use the axis words of the block");
+    error("G1 G92 X1", "4: error: G1 and G92 both use the axis words of the block");
+    error("G28 G0", "5: error: G28 and G0 both use the axis words of the block");
     EXPECT_EQ(ngc_lua_of("G43.2 H1 G0"), "G43_2{h=1} G0()") << "no axis words";
     EXPECT_EQ(lua_of("G92 X1 G1"), "G92{x=1} G1()") << "the 9/Series makes the motion modal";
-    const char* const standalone = "error: M98 stands in a block of its own, with nothing but its P and L";
+    const char* const standalone = "error: M98 must be in a separate block, only with its P and L";
     error("M98 P3 G0 X1", fmt::format("1: {}", standalone).c_str());
     error("F5 M98 P3 L2", fmt::format("4: {}", standalone).c_str());
     error("#1=2 M98 P#1", fmt::format("6: {}", standalone).c_str());
     EXPECT_EQ(ngc_lua_of("N5 M98 P[#1+1] L2 (c)"), "M98{p=v[1] + 1.0, l=2}");
     error("G90 G91",
-          "5: error: G90 and G91 are of one modal group (distance mode); a block takes one of them");
-    error("G1 G81 X1 R1", "4: error: G1 and G81 are of one modal group (motion); a block takes one of them");
-    error("M7 M8", "4: error: M7 and M8 are of one modal group (coolant); a block takes one of them");
-    error("@1 @2", "4: error: @ stands twice in the block");
+          "5: error: G90 and G91 are in one modal group (distance mode); a block may have only one of them");
+    error("G1 G81 X1 R1",
+          "4: error: G1 and G81 are in one modal group (motion); a block may have only one of them");
+    error("M7 M8", "4: error: M7 and M8 are in one modal group (coolant); a block may have only one of them");
+    error("@1 @2", "4: error: @ is given twice in the block");
     error("G72", "1: error: G72 (lathe facing cycle) is not supported");
     error("G17.1", "1: error: G17.1 (UV plane) is not supported");
     error("G65 P1",
-          "1: error: G65 is no code of RS274/NGC; Allen-Bradley 9/Series has it (macro call), see --dialect "
-          "ab9");
-    error("G38.9 X1", "1: error: G38.9 is no code of RS274/NGC");
-    error("G1.5 X1", "1: error: G1.5 is no code of RS274/NGC; there is G1 (linear move)");
-    error("M200", "1: error: M200 is no code of RS274/NGC");
+          "1: error: G65 is not a code of RS274/NGC; Allen-Bradley 9/Series supports it (macro call), see "
+          "--dialect ab9");
+    error("G38.9 X1", "1: error: G38.9 is not a code of RS274/NGC");
+    error("G1.5 X1", "1: error: G1.5 is not a code of RS274/NGC; G1 (linear move) exists");
+    error("M200", "1: error: M200 is not a code of RS274/NGC");
 }
 
 TEST(NgcBlocks, ComputedCodesActWithTheModalSettings) {
@@ -104,9 +107,9 @@ TEST(NgcBlocks, ComputedCodesActWithTheModalSettings) {
               "do local w1, w2 = v[1], v[2] code(\"M\", w2) G20() code(\"G\", w1) G90() move{x=1} end");
     EXPECT_EQ(ngc_lua_of("G[1] G1 X1"), "code(\"G\", 1.0) G1{x=1}");
     EXPECT_EQ(ngc_lua_of("G[4] P1"),
-              "1:6: error: P has no meaning in this block: no code of the block takes it\n");
+              "1:6: error: P has no meaning in this block: no code of the block uses it\n");
     EXPECT_EQ(lua_of("G[1] X1"),
-              "1:1: error: the number of a G code must be written out; a computed one is not supported\n");
+              "1:1: error: the number of a G code must be a constant; a computed number is not supported\n");
 }
 
 /// All values of a block are worked out, then its settings are made, then it acts.
@@ -169,8 +172,8 @@ TEST(UnknownCodes, WarnedOfOnceEachWithTheirCount) {
     ASSERT_TRUE(result.ok) << result.messages;
     const auto warning = [](const char* place, const char* code, int count) {
         return fmt::format(
-            "{}: warning: {} is no code of RS274/NGC; it is left out, a G code with all of its block ({} in "
-            "all)\n",
+            "{}: warning: {} is not a code of RS274/NGC; it is skipped, a G code with its complete block ({} "
+            "in total)\n",
             place, code, count);
     };
     EXPECT_EQ(result.messages, warning("4:1", "G65", 1) + warning("1:1", "G777", 3) +
@@ -181,12 +184,9 @@ TEST(UnknownCodes, WarnedOfOnceEachWithTheirCount) {
     EXPECT_EQ(result.code(3), "") << "what its words mean is not known";
     EXPECT_EQ(result.code(7), "F(5) move{x=1}") << "an M code goes alone";
     EXPECT_EQ(translated("G777\nG7\n", options).messages,
-              "2:1: warning: G7 is no code of Allen-Bradley 9/Series; it is left out, a G code with all of "
-              "its block (1 in "
-              "all)\n"
-              "1:1: warning: G777 is no code of Allen-Bradley 9/Series; it is left out, a G code with all of "
-              "its block (1 "
-              "in all)\n");
+              "2:1: warning: G7 is not a code of Allen-Bradley 9/Series; it is skipped, a G code with its "
+              "complete block (1 in total)\n1:1: warning: G777 is not a code of Allen-Bradley 9/Series; it "
+              "is skipped, a G code with its complete block (1 in total)\n");
     EXPECT_TRUE(translated("G777 P5\n", options).ok) << "its word goes with it";
     EXPECT_FALSE(translated("G12\n", options).ok) << "a code that is there, but not done, stays an error";
 }
@@ -199,19 +199,14 @@ TEST(UnknownCodes, PutOffInsideOfSubroutines) {
     EXPECT_EQ(result.code(4), "unknown_code(\"M428\")");
     EXPECT_EQ(result.code(6), "unknown_code(\"G1.5\")");
     EXPECT_EQ(result.messages,
-              "6:1: warning: G1.5 is no code of RS274/NGC; a call of the subroutine around it would end in "
-              "an alarm (1 "
-              "in all)\n"
-              "2:1: warning: G777 is no code of RS274/NGC; a call of the subroutine around it would end in "
-              "an alarm (1 "
-              "in all)\n"
-              "4:1: warning: M428 is no code of RS274/NGC; a call of the subroutine around it would end in "
-              "an alarm (1 "
-              "in all)\n");
+              "6:1: warning: G1.5 is not a code of RS274/NGC; a call of the enclosing subroutine would end "
+              "in an alarm (1 in total)\n2:1: warning: G777 is not a code of RS274/NGC; a call of the "
+              "enclosing subroutine would end in an alarm (1 in total)\n4:1: warning: M428 is not a code of "
+              "RS274/NGC; a call of the enclosing subroutine would end in an alarm (1 in total)\n");
     EXPECT_EQ(translated_ngc("o1 sub\no1 endsub\nG777\n").messages,
-              "3:1: error: G777 is no code of RS274/NGC\n");
+              "3:1: error: G777 is not a code of RS274/NGC\n");
     EXPECT_EQ(translated_ngc("o1 if [1]\nG777\no1 endif\n").messages,
-              "2:1: error: G777 is no code of RS274/NGC\n");
+              "2:1: error: G777 is not a code of RS274/NGC\n");
     TranslateOptions options;
     options.unknown = UnknownCodePolicy::warn;
     EXPECT_EQ(translated_ngc("o1 sub\nG777 X1\no1 endsub\n", options).code(2), "");

@@ -35,7 +35,7 @@ TEST(OWordFlow, SubroutinesAreFunctionsOfTheFile) {
     EXPECT_EQ(body("o1 sub\no2 if [#1]\no1 return\no2 endif\no1 endsub\n"),
               "sub(1, function()\nif truth(v[1]) then\ndo return end\nend\nend)\n");
     EXPECT_EQ(translated_ngc("o1 sub\no1 endsub\no01 sub\no1 endsub\n").messages,
-              "3:1: error: the subroutine o1 stands twice in this file, first in line 1\n");
+              "3:1: error: the subroutine o1 is defined twice in this file, first in line 1\n");
 }
 
 TEST(OWordFlow, Calls) {
@@ -103,31 +103,31 @@ TEST(OWordFlow, WrongNestingGivesOneError) {
     EXPECT_EQ(messages("o1 do\no2 if [1]\no1 while [0]\no2 endif\n"),
               "3:1: error: o1 while does not close o2 if, which is open since line 2\n");
     EXPECT_EQ(messages("o1 sub\no2 sub\no2 endsub\no1 endsub\n"),
-              "2:1: error: a subroutine cannot begin inside of another one or of a control structure\n");
+              "2:1: error: a subroutine must not begin inside another one or inside a control structure\n");
     EXPECT_EQ(messages("o1 if [1]\no2 sub\no2 endsub\no1 endif\n"),
-              "2:1: error: a subroutine cannot begin inside of another one or of a control structure\n");
-    EXPECT_EQ(messages("o1 else\n"), "1:1: error: there is no o1 if open that this could belong to\n");
+              "2:1: error: a subroutine must not begin inside another one or inside a control structure\n");
+    EXPECT_EQ(messages("o1 else\n"), "1:1: error: there is no open o1 if for this word\n");
     EXPECT_EQ(messages("o1 if [1]\no2 else\no1 endif\n"),
-              "2:1: error: there is no o2 if open that this could belong to\n");
+              "2:1: error: there is no open o2 if for this word\n");
     EXPECT_EQ(messages("o1 if [1]\no1 else\no1 elseif [1]\no1 endif\n"),
-              "3:1: error: nothing but endif comes behind else\n");
+              "3:1: error: only endif may follow else\n");
     EXPECT_EQ(messages("o1 if [1]\no1 else\no1 else\no1 endif\n"),
-              "3:1: error: nothing but endif comes behind else\n");
-    EXPECT_EQ(messages("o1 return\n"), "1:1: error: return stands inside of a subroutine\n");
+              "3:1: error: only endif may follow else\n");
+    EXPECT_EQ(messages("o1 return\n"), "1:1: error: return must be inside a subroutine\n");
     EXPECT_EQ(messages("o1 break\n"), "1:1: error: there is no loop o1 around this block\n");
     EXPECT_EQ(messages("o1 if [1]\no1 continue\no1 endif\n"),
               "2:1: error: there is no loop o1 around this block\n");
     EXPECT_EQ(messages("o1 while [1]\no2 sub\no1 break\no2 endsub\no1 endwhile\n"),
-              "2:1: error: a subroutine cannot begin inside of another one or of a control structure\n");
+              "2:1: error: a subroutine must not begin inside another one or inside a control structure\n");
 }
 
 TEST(OWordFlow, AnErrorInABlockBringsNoOther) {
-    EXPECT_EQ(messages("o1 if [1 +]\no1 endif\n"), "1:11: error: ']' is out of place\n");
+    EXPECT_EQ(messages("o1 if [1 +]\no1 endif\n"), "1:11: error: ']' is not allowed here\n");
     EXPECT_EQ(messages("o1 if\nX1\no1 endif\n"),
-              "1:4: error: behind this keyword stands its condition in brackets\n");
-    EXPECT_EQ(messages("o1 while [1]\nX1 X2\no1 endwhile\n"), "2:4: error: X stands twice in the block\n");
+              "1:4: error: this keyword must be followed by its condition in brackets\n");
+    EXPECT_EQ(messages("o1 while [1]\nX1 X2\no1 endwhile\n"), "2:4: error: X is given twice in the block\n");
     EXPECT_EQ(messages("o1 sub\no1 endsub [1] [2]\n"),
-              "2:4: error: behind this keyword stands at most one value\n");
+              "2:4: error: this keyword must be followed by at most one value\n");
     EXPECT_EQ(messages("o1 if [1]\no1\no2 endif\n"),
               "1:1: error: o1 if is not closed\n3:1: error: o2 endif has no beginning\n")
         << "a new program begins anew";
@@ -135,7 +135,7 @@ TEST(OWordFlow, AnErrorInABlockBringsNoOther) {
 
 TEST(OWordFlow, BlockDelete) {
     const std::string message =
-        "block delete '/' cannot stand before a program or a control structure: its other end would be lost";
+        "block delete '/' must not precede a program or a control structure: its end would be lost";
     for (const char* keyword : {"sub", "endsub", "if [1]", "else", "elseif [1]", "endif", "while [1]",
                                 "endwhile", "do", "repeat [1]", "endrepeat"}) {
         const std::string text = messages(fmt::format("/o1 {}\n", keyword));
@@ -154,10 +154,9 @@ TEST(OWordFlow, ProgramsByNumber) {
     EXPECT_EQ(body("o1\nM98 P2 L3\nM2\no0002\nX1\nM99\n"),
               "program(1, function()\nM98{p=2, l=3}\nM2()\nend) program(2, function()\nmove{x=1}\n"
               "do return (M99()) end\n");
-    EXPECT_EQ(
-        translated_ngc("o1\nM2\no01\n").messages,
-        "3:1: warning: the program O1 stands twice in this file; M98 P1 calls the first one behind the main "
-        "program\n");
+    EXPECT_EQ(translated_ngc("o1\nM2\no01\n").messages,
+              "3:1: warning: the program O1 is defined twice in this file; M98 P1 calls the first one after "
+              "the main program\n");
     EXPECT_EQ(translated_ngc("o1\nM2\no<01>\n").messages, "") << "a name";
 }
 
@@ -232,7 +231,7 @@ TEST(OWordFlow, NotLongerThanLuaJumps) {
     std::string loop = "o1 while [#1]\n";
     for (int i = 0; i < 650000; ++i) loop += "X1Y2Z3B4\n";
     EXPECT_EQ(messages(loop + "o1 endwhile\n"),
-              "1:1: error: o1 while up to line 650002 is too long for Lua; put its body into a subroutine\n");
+              "1:1: error: o1 while up to line 650002 is too long for Lua; move its body to a subroutine\n");
 }
 
 }  // namespace

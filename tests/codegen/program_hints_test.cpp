@@ -27,10 +27,10 @@ std::string as_ngc(const std::string& text) {
 
 TEST(DialectHint, SignsOfRs274ngc) {
     EXPECT_EQ(as_ab9("G21\n#<depth> = 3\n"),
-              "part.nc:2: note: #<name> is of RS274/NGC (LinuxCNC); try --dialect rs274ngc\n");
+              "part.nc:2: note: #<name> belongs to RS274/NGC (LinuxCNC); try --dialect rs274ngc\n");
     for (const char* line : {"o100 sub\n", "O<hole> CALL [1]\n", "N5 o1 if [#1 GT 2]\n", "o2 endwhile\n"}) {
         EXPECT_EQ(as_ab9(line),
-                  "part.nc:1: note: an O-word is of RS274/NGC (LinuxCNC); try --dialect rs274ngc\n")
+                  "part.nc:1: note: an O-word belongs to RS274/NGC (LinuxCNC); try --dialect rs274ngc\n")
             << line;
     }
     EXPECT_NE(as_ab9("#1 = [2 ** 3]\n"), "");
@@ -39,13 +39,14 @@ TEST(DialectHint, SignsOfRs274ngc) {
 
 TEST(DialectHint, SignsOfThe9SeriesAndItsRelatives) {
     EXPECT_EQ(as_ngc("%\nO0012\nIF [#1 EQ 2] GOTO 8\n"),
-              "part.nc:3: note: GOTO is of the 9/Series (and its relatives, as Fanuc and Haas); try "
-              "--dialect ab9\n");
-    EXPECT_EQ(as_ngc("WHILE [#1 LT 2] DO1\n").find("part.nc:1: note: WHILE is of"), 0U);
-    EXPECT_EQ(as_ngc("G65 P9010 A1\n").find("part.nc:1: note: G65 is of"), 0U);
-    EXPECT_EQ(as_ngc("G1 X10 ,R2\n").find("part.nc:1: note: ,R is of"), 0U);
-    EXPECT_EQ(as_ngc("M98 P1000\n").find("part.nc:1: note: M98 P is of"), 0U);
-    EXPECT_EQ(as_ngc("%\nO1234 (PART)\nG0 X1\n").find("part.nc:2: note: O with a program's number is of"),
+              "part.nc:3: note: GOTO belongs to the 9/Series (and related controllers, such as Fanuc and "
+              "Haas); try --dialect ab9\n");
+    EXPECT_EQ(as_ngc("WHILE [#1 LT 2] DO1\n").find("part.nc:1: note: WHILE belongs to the 9/Series"), 0U);
+    EXPECT_EQ(as_ngc("G65 P9010 A1\n").find("part.nc:1: note: G65 belongs to the 9/Series"), 0U);
+    EXPECT_EQ(as_ngc("G1 X10 ,R2\n").find("part.nc:1: note: ,R belongs to the 9/Series"), 0U);
+    EXPECT_EQ(as_ngc("M98 P1000\n").find("part.nc:1: note: M98 P belongs to the 9/Series"), 0U);
+    EXPECT_EQ(as_ngc("%\nO1234 (PART)\nG0 X1\n")
+                  .find("part.nc:2: note: O with a program number belongs to the 9/Series"),
               0U);
 }
 
@@ -59,9 +60,9 @@ TEST(DialectHint, WhatBothHaveSaysNothingBesideSignsOfTheOwnOne) {
 
 TEST(DialectHint, LanguagesThatNobodyReadsHere) {
     EXPECT_EQ(as_ab9("0 BEGIN PGM PLATE MM\n"),
-              "part.nc:1: note: BEGIN PGM is of Heidenhain's own language; gsim does not read it\n");
+              "part.nc:1: note: BEGIN PGM belongs to the language of Heidenhain; gsim does not support it\n");
     EXPECT_EQ(as_ab9("DEF REAL DEPTH\n"),
-              "part.nc:1: note: DEF REAL is of the language of Sinumerik; gsim does not read it\n");
+              "part.nc:1: note: DEF REAL belongs to the language of Sinumerik; gsim does not support it\n");
 }
 
 std::string inches(const std::string& text) {
@@ -72,12 +73,10 @@ std::string inches(const std::string& text) {
 constexpr const char* kHaas = "T1 M6\nG0 X1.125 Y-.375\nZ.1\nG1 Z-.2501 F10.\nX2.4375 F45.\nM30\n";
 
 TEST(InchSigns, ASmallPartWithThousandthsAndSlowFeeds) {
-    EXPECT_EQ(
-        inches(kHaas),
-        "part.nc: warning: the program says neither G20 nor G21 and is read in mm, but looks like inches: "
-        "its coordinates are "
-        "within 2.4375, with up to 4 decimals, its feeds within 45; say G20 or G21, or units = \"inch\" or "
-        "\"mm\" under [program] in the machine file\n");
+    EXPECT_EQ(inches(kHaas),
+              "part.nc: warning: the program has neither G20 nor G21 and is read in mm, but seems to be in "
+              "inches: its coordinates are within 2.4375, with up to 4 decimals, its feeds within 45; add "
+              "G20 or G21, or set units = \"inch\" or \"mm\" under [program] in the machine file\n");
     EXPECT_NE(inches("G1 X30.1255 Y12.0001 Z-.5004 F20\nX20.1\n"), "")
         << "a larger one, in tenths of thousandths";
 }
@@ -106,18 +105,17 @@ TEST(ControllerName, NamesAsPeopleWriteThem) {
     EXPECT_EQ(linuxcnc->dialect, &grammar::dialect_rs274ngc());
     const auto haas = grammar::find_controller("haas");
     ASSERT_TRUE(haas);
-    EXPECT_EQ(haas->caution.find("programs of haas are read as ab9 (Allen-Bradley 9/Series): a relative"),
-              0U);
+    EXPECT_EQ(haas->caution.find("programs of haas are read as ab9 (Allen-Bradley 9/Series): similar"), 0U);
 }
 
 TEST(ControllerName, WhatIsNoneIsASentence) {
     EXPECT_EQ(grammar::find_controller("fanux").error(),
-              "there is no dialect or control 'fanux'; did you mean 'fanuc'?");
+              "unknown dialect or controller 'fanux'; did you mean 'fanuc'?");
     EXPECT_EQ(grammar::find_controller("Heidenhain").error(),
-              "Heidenhain's own language (BEGIN PGM, L X+10 FMAX) is not read");
+              "the language of Heidenhain (BEGIN PGM, L X+10 FMAX) is not supported");
     EXPECT_EQ(grammar::find_controller("").error(),
-              "there is no dialect or control ''; the dialects are ab9, rs274ngc and klipper, and "
-              "docs/language.md lists the controls");
+              "unknown dialect or controller ''; the dialects are ab9, rs274ngc and klipper, and "
+              "docs/language.md lists the controllers");
     for (const std::string& name : grammar::controller_names())
         EXPECT_TRUE(grammar::find_controller(name)) << name;
 }

@@ -15,14 +15,13 @@ TEST(Tape, WhatStandsBeforeTheFirstMarkIsPassedOver) {
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_EQ(
         result.messages,
-        "1:1: warning: the 2 lines before the first % are left out: no program, but the leader of a tape\n");
+        "1:1: warning: the 2 lines before the first % are skipped: the leader of a tape, not a program\n");
     EXPECT_EQ(result.code(1), "");
     EXPECT_NE(result.lua.find("-- (made by Meier)"), std::string::npos) << "as remarks";
     EXPECT_EQ(result.code(4), "program(7, function()");
     EXPECT_EQ(result.code(5), "G0{x=1}");
-    EXPECT_EQ(
-        translated("part 12\n%\nG0 X1\n").messages,
-        "1:1: warning: the line before the first % is left out: no program, but the leader of a tape\n");
+    EXPECT_EQ(translated("part 12\n%\nG0 X1\n").messages,
+              "1:1: warning: the line before the first % is skipped: the leader of a tape, not a program\n");
 }
 
 TEST(Tape, AProgramBeforeTheFirstMarkIsNoLeader) {
@@ -42,7 +41,7 @@ TEST(Tape, TextBehindAMarkIsForPeople) {
     EXPECT_NE(result.lua.find("-- (123 some text)"), std::string::npos) << result.lua;
     EXPECT_EQ(translated("%O1200(LATHE)\nG0 X1\nM30\n").code(1), "program(1200, function()")
         << "but for the number of a program";
-    EXPECT_EQ(translated("G0 X1 %\n").messages, "1:7: error: a tape mark % stands at the start of a line\n");
+    EXPECT_EQ(translated("G0 X1 %\n").messages, "1:7: error: a tape mark % must be at the start of a line\n");
     EXPECT_FALSE(translated_ngc("% text\nG0 X1\n%\n").ok) << "LinuxCNC refuses it";
 }
 
@@ -54,20 +53,20 @@ TEST(Tape, TheByteThatEndsAFileOfDosEndsIt) {
     }
     EXPECT_EQ(translated("#1=2\x1A").messages, "");
     EXPECT_EQ(translated("G0 X1\n\x1A\nG0 X2\n").messages,
-              "3:1: error: there is text behind the byte 0x1A, which ends a file of DOS\n");
+              "3:1: error: there is text after the byte 0x1A, which ends a DOS file\n");
     EXPECT_EQ(translated("G0 X1 \x1A Y2\n").messages,
-              "1:9: error: there is text behind the byte 0x1A, which ends a file of DOS\n");
+              "1:9: error: there is text after the byte 0x1A, which ends a DOS file\n");
     EXPECT_TRUE(translated_ngc("G0 X1\nM2\n\x1A").ok);
     EXPECT_FALSE(translated_ngc("G0 X1\n\x1A").ok) << "LinuxCNC refuses it before M2 or %";
 }
 
 TEST(Tape, CommentsWithinComments) {
     EXPECT_EQ(translated_ngc("(a (b) G1 X2 F100\n").messages,
-              "1:4: error: a comment holds no other '('; LinuxCNC refuses it, too\n");
+              "1:4: error: a comment must not contain another '('; LinuxCNC also rejects it\n");
     EXPECT_TRUE(translated_ngc("G1 X2 F100 ; (c (d))\n").ok) << "a remark is no such comment";
     EXPECT_EQ(
         translated("O7 (PART (REV B))\nG0 X1\n").messages,
-        "1:17: error: ')' without '('; a comment ends at its first ')', also where it holds another '('\n");
+        "1:17: error: ')' without '('; a comment ends at its first ')', even if it contains another '('\n");
     EXPECT_TRUE(translated("O7 (PART (REV B)\nG0 X1\n").ok);
 }
 

@@ -49,7 +49,7 @@ class Surface {
     int count_ = 0;
 };
 
-tl::expected<RigidBody, std::string> of_mesh(const Surface& surface, double density) {
+Result<RigidBody> of_mesh(const Surface& surface, double density) {
     const os::CallbackFiles given([&](const std::string&) { return surface.text(); });
     return compute_rigid_body(machine::MeshShape{.file = "part.obj"}, density, {.files = given});
 }
@@ -95,7 +95,7 @@ TEST(BodyMass, ClosedMeshIsTheBoxThatItIs) {
     Surface surface;
     surface.box(at, turn * Vector3d(100, 200, 300).asDiagonal());
     const auto mesh = of_mesh(surface, 1000);
-    ASSERT_TRUE(mesh) << mesh.error();
+    ASSERT_TRUE(mesh) << mesh.error().message;
     EXPECT_NEAR(mesh->mass_kg, 6, 1e-9);
     EXPECT_TRUE(mesh->centre_m.isApprox(1e-3 * (at + turn * Vector3d(50, 100, 150)), 1e-12));
     const Matrix3d expected_value =
@@ -107,7 +107,7 @@ TEST(BodyMass, MeshThatIsTurnedInsideOutIsTheSame) {
     Surface surface;
     surface.box(Vector3d::Zero(), Matrix3d(Vector3d(100, 200, -300).asDiagonal()));
     const auto mesh = of_mesh(surface, 1000);
-    ASSERT_TRUE(mesh) << mesh.error();
+    ASSERT_TRUE(mesh) << mesh.error().message;
     EXPECT_NEAR(mesh->mass_kg, 6, 1e-12);
     EXPECT_TRUE(mesh->centre_m.isApprox(Vector3d(0.05, 0.1, -0.15)));
 }
@@ -115,10 +115,9 @@ TEST(BodyMass, MeshThatIsTurnedInsideOutIsTheSame) {
 TEST(BodyMass, OpenMeshHasNoMass) {
     Surface surface;
     surface.box(Vector3d::Zero(), Matrix3d(Vector3d(100, 200, 300).asDiagonal()), false);
-    EXPECT_EQ(
-        of_mesh(surface, 1000).error(),
-        "part.obj: the surface is not closed, so that it encloses no mass: an edge at 0 0 300 has a triangle "
-        "on one side alone");
+    EXPECT_EQ(of_mesh(surface, 1000).error().message,
+              "part.obj: the surface is not closed, so it encloses no mass: an edge at 0 0 300 has a "
+              "triangle on one side only");
 }
 
 }  // namespace

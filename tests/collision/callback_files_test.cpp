@@ -44,10 +44,10 @@ TEST(CallbackFiles, GiveAMachineItsControllerAndItsMeshes) {
                    {"rules/own.toml", "[controller]\nrest_s = 0.25\n"},
                    {"shop/cover.obj", kTetrahedron}};
     const auto machine = machine::load_machine("shop/af5.toml", os::NameSource::in_file, given.files);
-    ASSERT_TRUE(machine) << machine.error();
-    EXPECT_EQ(machine->controller.dwell_s, 0.25);
+    ASSERT_TRUE(machine) << machine.error().message;
+    EXPECT_EQ(machine->controller.standstill.dwell_s, 0.25);
     const auto cell = make_machine_cell(*machine, {.files = given.files});
-    ASSERT_TRUE(cell) << cell.error();
+    ASSERT_TRUE(cell) << cell.error().message;
     ASSERT_EQ(cell->items.back().name, "cover");
     EXPECT_EQ(cell->items.back().shape.triangles()->triangle_count(), 4U);
     EXPECT_THAT(given.requested, ElementsAre("rules/own.toml", "shop/af5.toml", "shop/cover.obj"));
@@ -61,14 +61,13 @@ TEST(CallbackFiles, GiveACellItsMeshesAndSolidsByWhoReadsThem) {
     std::string requested;
     const auto read_solid = [&requested](const std::filesystem::path& file, double) {
         requested = file.string();
-        return tl::expected<solid::Mesh, std::string>(
-            solid::Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+        return Result<solid::Mesh>(solid::Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
     };
     const auto cell = read_cell(
         "[cell]\nname = \"shop\"\n[[object]]\nname = \"post\"\nshape = { mesh = \"post.obj\" }\n"
         "[[object]]\nname = \"mould\"\nshape = { mesh = \"mould.step\" }\n",
         "shop/cell.toml", machine, {}, {given.files, read_solid});
-    ASSERT_TRUE(cell) << cell.error();
+    ASSERT_TRUE(cell) << cell.error().message;
     EXPECT_EQ(requested, "shop/mould.step");
     EXPECT_EQ(cell->items.back().shape.triangles()->triangle_count(), 1U);
 }
@@ -77,20 +76,20 @@ TEST(CallbackFiles, WhatIsNotGivenIsNamed) {
     RecordingFiles given;
     const auto machine = machine::read_machine(machine_toml(), "shop/af5.toml", given.files);
     ASSERT_FALSE(machine);
-    EXPECT_THAT(machine.error(), HasSubstr("cannot read 'shop/../rules/own.toml': there is no such file"));
+    EXPECT_THAT(machine.error().message, HasSubstr("cannot read 'shop/../rules/own.toml': file not found"));
     const auto bare =
         machine::read_machine(machine::built_in_machine_toml(), "af5.toml", given.files).value();
     const auto cell =
         read_cell("[cell]\nname = \"shop\"\n[[object]]\nname = \"post\"\nshape = { mesh = \"post.obj\" }\n",
                   "shop/cell.toml", bare, {}, {.files = given.files});
     ASSERT_FALSE(cell);
-    EXPECT_THAT(cell.error(), HasSubstr("cannot read 'shop/post.obj': there is no such file"));
+    EXPECT_THAT(cell.error().message, HasSubstr("cannot read 'shop/post.obj': file not found"));
 }
 
 TEST(CallbackFiles, AreBoundedAsThoseOnDisk) {
     RecordingFiles given;
     given.bytes = {{"big.toml", std::string(os::kMaxTextFileBytes + 1, ' ')}};
-    EXPECT_EQ(given.files.read_text("big.toml").error(), "'big.toml' is larger than 4 MiB");
+    EXPECT_EQ(given.files.read_text("big.toml").error().message, "'big.toml' is larger than 4 MiB");
 }
 
 }  // namespace

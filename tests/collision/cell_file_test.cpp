@@ -48,7 +48,7 @@ frame = { z_mm = -2.0 }
 
 std::string error_of(std::string text) {
     const auto cell = read_cell(text, "dir/c.toml", af5());
-    return cell ? "" : cell.error();
+    return cell ? "" : cell.error().message;
 }
 
 std::string with(std::string_view more) {
@@ -58,7 +58,7 @@ std::string with(std::string_view more) {
 TEST(CellFile, ReadsAllOfIt) {
     const auto cell =
         read_cell(fmt::format("{}{}", "ignore = [[\"head\", \"post\"]]\n", kWhole), "dir/c.toml", af5());
-    ASSERT_TRUE(cell) << cell.error();
+    ASSERT_TRUE(cell) << cell.error().message;
     EXPECT_EQ(cell->name, "A cell");
     EXPECT_EQ(cell->clearance_mm, 2.5);
     ASSERT_EQ(cell->items.size(), 4U);
@@ -89,9 +89,9 @@ TEST(CellFile, SaysWhereAndWhatIsWrong) {
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 0 }")),
                 HasSubstr("'sphere_mm' must be greater than 0"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 1, box_mm = [1, 1, 1] }")),
-                HasSubstr("'shape' must hold one of"));
+                HasSubstr("'shape' must contain one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = {}")),
-                HasSubstr("'shape' must hold one of"));
+                HasSubstr("'shape' must contain one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { cylinder_mm = [1, inf] }")),
                 HasSubstr("'cylinder_mm' must be [diameter, height]"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { mesh = \"no.stl\" }")),
@@ -101,20 +101,20 @@ TEST(CellFile, SaysWhereAndWhatIsWrong) {
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { mesh = \"a.stp\", tolerance_mm = 1e-4 }")),
                 HasSubstr("'tolerance_mm' must be from 0.001 to 100"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 1, tolerance_mm = 1 }")),
-                HasSubstr("beside mesh there may be scale and tolerance_mm"));
+                HasSubstr("with mesh it may also contain scale and tolerance_mm"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"post\"\nshape = { sphere_mm = 1 }")),
-                HasSubstr("the name 'post' is taken"));
+                HasSubstr("the name 'post' is already used"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"X\"\nshape = { sphere_mm = 1 }")),
-                HasSubstr("the name 'X' is taken"));
+                HasSubstr("the name 'X' is already used"));
     EXPECT_THAT(
         error_of(with("[[object]]\nname = \"a\"\nattached_to = \"tabel\"\nshape = { sphere_mm = 1 }")),
-        HasSubstr("nothing above is called 'tabel'; did you mean 'table'?"));
+        HasSubstr("'tabel' is not defined above; did you mean 'table'?"));
     EXPECT_THAT(error_of(with("[[shape]]\nname = \"a\"\non = \"post\"\nshape = { sphere_mm = 1 }")),
                 HasSubstr("'on' must be \"base\""));
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = [[\"head\", \"pots\"]]\n", kWhole)),
-                HasSubstr("no object or shape is called 'pots'"));
+                HasSubstr("no object or shape has the name 'pots'"));
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = [\"head\"]\n", kWhole)),
-                HasSubstr("must hold pairs of names"));
+                HasSubstr("'ignore' must contain pairs of names"));
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = 3\n", kWhole)), HasSubstr("must be a list of pairs"));
 }
 
@@ -129,7 +129,7 @@ machine::Machine with_body() {
 TEST(CellFile, HasTheShapesOfItsMachine) {
     const auto cell =
         read_cell(fmt::format("{}{}", "ignore = [[\"hull\", \"post\"]]\n", kWhole), "c.toml", with_body());
-    ASSERT_TRUE(cell) << cell.error();
+    ASSERT_TRUE(cell) << cell.error().message;
     ASSERT_EQ(cell->items.size(), 6U);
     EXPECT_EQ(cell->items[0].name, "hull");
     EXPECT_EQ(cell->items[0].role, Role::machine);
@@ -142,13 +142,14 @@ TEST(CellFile, ANameOfTheMachineFileIsTaken) {
     const auto cell =
         read_cell(with("[[object]]\nname = \"bed\"\nshape = { sphere_mm = 1 }"), "c.toml", with_body());
     ASSERT_FALSE(cell);
-    EXPECT_EQ(cell.error(), "c.toml:32:8: the name 'bed' is taken by a [[shape]] of the machine file");
+    EXPECT_EQ(cell.error().message,
+              "c.toml:32:8: the name 'bed' is already used by a [[shape]] of the machine file");
 }
 
 TEST(CellFile, AToolOfTheCellTakesThePlaceOfTheMachines) {
     const std::string tool = "[[shape]]\nname = \"hull\"\non = \"tool\"\nshape = { sphere_mm = 6 }\n";
     const auto cell = read_cell(with(tool), "c.toml", with_body());
-    ASSERT_TRUE(cell) << cell.error();
+    ASSERT_TRUE(cell) << cell.error().message;
     ASSERT_EQ(cell->items.size(), 6U);
     EXPECT_EQ(cell->items[0].name, "bed");
     EXPECT_EQ(cell->items[5].name, "hull");
@@ -160,12 +161,12 @@ TEST(CellFile, AToolOfTheCellTakesThePlaceOfTheMachines) {
     machine::Machine machine = with_body();
     machine.shapes.push_back({"spray", "jet", machine::SphereShape{1}, {}});
     machine.ignored = {{1, 2}, {0, 1}};
-    const auto with_jet = read_cell(kWhole, "c.toml", machine);
-    ASSERT_TRUE(with_jet) << with_jet.error();
-    EXPECT_EQ(with_jet->items[0].name, "hull");
-    EXPECT_EQ(with_jet->items.size(), 6U);
-    EXPECT_EQ(with_jet->replaced, 1U);
-    EXPECT_EQ(with_jet->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}}));
+    const auto includes_jet = read_cell(kWhole, "c.toml", machine);
+    ASSERT_TRUE(includes_jet) << includes_jet.error().message;
+    EXPECT_EQ(includes_jet->items[0].name, "hull");
+    EXPECT_EQ(includes_jet->items.size(), 6U);
+    EXPECT_EQ(includes_jet->replaced, 1U);
+    EXPECT_EQ(includes_jet->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}}));
 }
 
 TEST(CellFile, AMeshOfTheMachineThatIsNoneIsAnError) {
@@ -173,7 +174,7 @@ TEST(CellFile, AMeshOfTheMachineThatIsNoneIsAnError) {
     machine.shapes[1].form = machine::MeshShape{"none.stl"};
     const auto cell = read_cell(kWhole, "c.toml", machine);
     ASSERT_FALSE(cell);
-    EXPECT_THAT(cell.error(),
+    EXPECT_THAT(cell.error().message,
                 HasSubstr("the shape 'bed' of the machine cannot be read: cannot read 'none.stl': No such"));
 }
 
@@ -186,14 +187,15 @@ TEST(CellFile, ManyObjectsAreWatchedAndTooManyAreAnError) {
     const machine::Machine machine = af5();
     for (int i = 0; i < 2; ++i) text += fmt::format(fmt::runtime(heads), i);
     const auto cell = read_cell(text, "c.toml", machine);
-    ASSERT_TRUE(cell) << cell.error();
+    ASSERT_TRUE(cell) << cell.error().message;
     EXPECT_EQ(candidate_pairs(*cell, *machine::make_kinematics(machine)).size(), 80'000U);
     for (int i = 2; i < 26; ++i) text += fmt::format(fmt::runtime(heads), i);
     const auto too_many = read_cell(text, "c.toml", machine);
     ASSERT_FALSE(too_many);
     EXPECT_THAT(
-        too_many.error(),
-        HasSubstr("40026 bodies are 1040000 pairs on parts that move against each other; up to 1000000"));
+        too_many.error().message,
+        HasSubstr(
+            "40026 bodies form 1040000 pairs on parts that move relative to each other; at most 1000000"));
 }
 
 // For any change of a file, it is read, or rejected with a source location.
@@ -208,11 +210,11 @@ TEST(CellFile, MangledFilesNeitherHangNorCrash) {
         if (random() % 3 == 0) text.resize(random() % text.size());
         const auto cell = read_cell(text, "c.toml", machine);
         if (!cell) {
-            EXPECT_THAT(cell.error(), HasSubstr("c.toml:"));
+            EXPECT_THAT(cell.error().message, HasSubstr("c.toml:"));
         }
         const auto files = read_cell_files(text, "c.toml");
         if (!files) {
-            EXPECT_THAT(files.error(), HasSubstr("c.toml:"));
+            EXPECT_THAT(files.error().message, HasSubstr("c.toml:"));
         }
     }
 }

@@ -18,7 +18,7 @@ Cell cell_of(const std::string& tables, double clearance_mm = 5) {
     const std::string text =
         fmt::format("[cell]\nname = \"test\"\nclearance_mm = {:.6f}\n{}", clearance_mm, tables);
     auto cell = read_cell(text, "cell.toml", af5());
-    EXPECT_TRUE(cell) << (cell ? "" : cell.error());
+    EXPECT_TRUE(cell) << (cell ? "" : cell.error().message);
     return *std::move(cell);
 }
 
@@ -308,7 +308,7 @@ TEST(ClearanceMonitor, RandomMotionsAreAsNearAsTheirSamples) {
         if (i % 3 == 0) {
             const double travel = segment.end[3] - segment.start[3];
             segment.add_follower(3, travel < 0 ? -1 : 1,
-                                 motion::TimeLaw::in_time(std::abs(travel), segment.duration_s, 100));
+                                 motion::TimeLaw::with_duration(std::abs(travel), segment.duration_s, 100));
         }
         ClearanceMonitor monitor(cell, machine);
         monitor.record_times();

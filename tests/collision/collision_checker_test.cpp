@@ -21,7 +21,7 @@ constexpr double kEnd_mm = 1e-3;
 
 Cell cell_of(const std::string& tables) {
     auto cell = read_cell("[cell]\nname = \"test\"\n" + tables, "cell.toml", af5());
-    EXPECT_TRUE(cell) << (cell ? "" : cell.error());
+    EXPECT_TRUE(cell) << (cell ? "" : cell.error().message);
     return *std::move(cell);
 }
 
@@ -124,7 +124,7 @@ TEST(CollisionChecker, RefusesACellWhoseFramesGoByThemselves) {
     cell.make_movable(cell.items.back().frame, false);
     const auto rejected = CollisionChecker::make(cell, af5());
     ASSERT_FALSE(rejected);
-    EXPECT_NE(rejected.error().find("go by themselves"), std::string::npos);
+    EXPECT_NE(rejected.error().message.find("frames that move independently"), std::string::npos);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(MotionBound, HoldsForRandomChainsAndMotions) {
         for (int p = 0; p < 4; ++p) points.emplace_back(middle + 20 * random_vector(random, 1).normalized());
         MotionPart part = motion.full_motion();
         for (int halving = 0; halving < 3; ++halving) {
-            const Ball ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
+            const BoundingSphere ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
             const MotionBound bound = part.chain.bound(ball, joints_between(chain, link, from));
             const MotionBound found = measured(motion, part, points, link, from);
             EXPECT_LE(found.travel_mm, bound.travel_mm + 1e-9);
@@ -91,7 +91,7 @@ TEST(MotionBound, HoldsForLinksThatGoByThemselves) {
         const std::vector<Vector3d> points{middle, middle + 20 * random_vector(random, 1).normalized()};
         MotionPart part = motion.full_motion();
         for (int halving = 0; halving < 3; ++halving) {
-            const Ball ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
+            const BoundingSphere ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
             const MotionBound bound = part.chain.bound(ball, joints_between(chain, link, from, parents));
             const MotionBound found = measured(motion, part, points, link, from);
             EXPECT_LE(found.travel_mm, bound.travel_mm + 1e-9);
@@ -123,7 +123,7 @@ TEST(MotionBound, HoldsOnGreatCirclesOfTheTool) {
         MotionPart part = motion.full_motion();
         for (int halving = 0; halving < 4; ++halving) {
             const Vector3d middle = random_vector(random, 100);
-            const Ball ball{part.from[5] * middle, 0};
+            const BoundingSphere ball{part.from[5] * middle, 0};
             const MotionBound bound = part.chain.bound(ball, joints_between(*kinematics, 5, 0));
             const MotionBound measured_bound = measured(motion, part, {middle}, 5, 0);
             EXPECT_LE(measured_bound.travel_mm, bound.travel_mm + 1e-9);

@@ -21,7 +21,7 @@ struct Gantry {
     }
     static Cell read(const std::string& tables) {
         auto cell = read_cell("[cell]\nname = \"test\"\n" + tables, "cell.toml", af5());
-        EXPECT_TRUE(cell) << (cell ? "" : cell.error());
+        EXPECT_TRUE(cell) << (cell ? "" : cell.error().message);
         return *std::move(cell);
     }
 

@@ -39,7 +39,7 @@ inline motion::Segment random_segment(std::mt19937& random, const rrs::JointPos&
         if (random() % 4 != 0) continue;
         const double distance = std::abs(segment.end[joint] - segment.start[joint]);
         segment.add_follower(joint, segment.end[joint] < segment.start[joint] ? -1 : 1,
-                             motion::TimeLaw::in_time(distance, segment.duration_s, 100 * distance));
+                             motion::TimeLaw::with_duration(distance, segment.duration_s, 100 * distance));
     }
     return segment;
 }

@@ -39,7 +39,7 @@ TEST(SeparationBudget, NoPointGoesFartherThanIsTaken) {
         const SegmentMotion first(chain, segment);
         const MotionPart full_motion = first.full_motion();
         const std::vector<int> between = joints_between(chain, link, from);
-        const Ball ball{full_motion.from[static_cast<std::size_t>(link)] * middle, 20};
+        const BoundingSphere ball{full_motion.from[static_cast<std::size_t>(link)] * middle, 20};
         JointReach reach_mm{};
         full_motion.chain.expand(reach_mm, ball, between);
         SeparationBudget leeway;

@@ -23,9 +23,9 @@ TEST(Separation, IsTheGapAlongADirection) {
     const LinkFrames links{rrs::CartPos::Identity()};
     const Body first = box_on(box, 0, {0, 0, 100});
     const Body second = box_on(ball, 0, {0, 0, 0});
-    EXPECT_NEAR(gap_along_mm(first, second, links, Eigen::Vector3d::UnitZ()), 100 - 15 - 4, 1e-12);
-    EXPECT_NEAR(gap_along_mm(first, second, links, Eigen::Vector3d::UnitX()), -5 - 4, 1e-12);
-    EXPECT_NEAR(gap_along_mm(second, first, links, -Eigen::Vector3d::UnitZ()), 100 - 15 - 4, 1e-12);
+    EXPECT_NEAR(distance_along_mm(first, second, links, Eigen::Vector3d::UnitZ()), 100 - 15 - 4, 1e-12);
+    EXPECT_NEAR(distance_along_mm(first, second, links, Eigen::Vector3d::UnitX()), -5 - 4, 1e-12);
+    EXPECT_NEAR(distance_along_mm(second, first, links, -Eigen::Vector3d::UnitZ()), 100 - 15 - 4, 1e-12);
 }
 
 // A head that slides along a table and turns about the normal of the table comes no nearer to it.
@@ -67,7 +67,7 @@ TEST(Separation, HoldsInRandomParts) {
                 const std::vector<JointAxis> axes = joint_axes(*kinematics, middle);
                 const Eigen::Vector3d direction =
                     Eigen::Vector3d(unit(random), unit(random), unit(random)).normalized();
-                double min_mm = gap_along_mm(first, second, links, direction);
+                double min_mm = distance_along_mm(first, second, links, direction);
                 for (const double distance :
                      travels_along_mm(first.ball(links), {axes, half}, pair.bodies.between, direction))
                     min_mm -= distance;
@@ -80,7 +80,7 @@ TEST(Separation, HoldsInRandomParts) {
                             (configuration_index < 10 ? std::copysign(1.0, unit(random)) : unit(random));
                     const LinkFrames there = link_frames(*kinematics, at);
                     const Eigen::Vector3d turned = second.pose_in_world(there).linear() * local;
-                    ASSERT_GE(gap_along_mm(first, second, there, turned), min_mm - 1e-9)
+                    ASSERT_GE(distance_along_mm(first, second, there, turned), min_mm - 1e-9)
                         << file << ", round " << round;
                 }
             }

@@ -26,48 +26,49 @@ void expect_gap(const Gap& gap, double distance_mm, double within_mm = 1e-8) {
 
 TEST(ShapeGap, BoxesFaceToFaceEdgeToEdgeCornerToCorner) {
     const Shape box = Shape::box({10, 20, 30});
-    expect_gap(gap_between(box, shift(13, 5, 5), box, kUnbounded_mm), 3);
-    expect_gap(gap_between(box, shift(13, 24, 0), box, kUnbounded_mm), 5);
-    expect_gap(gap_between(box, shift(12, 23, 36), box, kUnbounded_mm), 7);
+    expect_gap(shape_distance(box, shift(13, 5, 5), box, kUnbounded_mm), 3);
+    expect_gap(shape_distance(box, shift(13, 24, 0), box, kUnbounded_mm), 5);
+    expect_gap(shape_distance(box, shift(12, 23, 36), box, kUnbounded_mm), 7);
     const Shape cube = Shape::box({10, 10, 10});
-    expect_gap(gap_between(cube, turned(45, Vector3d::UnitZ(), shift(20, 0, 0)), cube, kUnbounded_mm),
+    expect_gap(shape_distance(cube, turned(45, Vector3d::UnitZ(), shift(20, 0, 0)), cube, kUnbounded_mm),
                15 - 5 * std::sqrt(2.0));
 }
 
 TEST(ShapeGap, RoundBodiesOverAPlate) {
     const Shape plate = Shape::box({200, 200, 2});
-    expect_gap(gap_between(Shape::sphere(10), shift(3, 4, 8), plate, kUnbounded_mm), 2);
-    expect_gap(gap_between(Shape::capsule(10, 20), shift(3, 4, 18), plate, kUnbounded_mm), 2);
-    expect_gap(gap_between(Shape::cylinder(10, 20), shift(3, 4, 13), plate, kUnbounded_mm), 2);
+    expect_gap(shape_distance(Shape::sphere(10), shift(3, 4, 8), plate, kUnbounded_mm), 2);
+    expect_gap(shape_distance(Shape::capsule(10, 20), shift(3, 4, 18), plate, kUnbounded_mm), 2);
+    expect_gap(shape_distance(Shape::cylinder(10, 20), shift(3, 4, 13), plate, kUnbounded_mm), 2);
     const auto lying = turned(90, Vector3d::UnitX(), shift(3, 4, 8));
-    expect_gap(gap_between(Shape::cylinder(10, 20), lying, plate, kUnbounded_mm), 2);
+    expect_gap(shape_distance(Shape::cylinder(10, 20), lying, plate, kUnbounded_mm), 2);
     // Tilted by 30 degrees the cylinder's rim is lowest.
     const auto tilted = turned(30, Vector3d::UnitY(), shift(0, 0, 20));
     const double low = 10 * std::cos(std::numbers::pi / 6) + 5 * std::sin(std::numbers::pi / 6);
-    expect_gap(gap_between(Shape::cylinder(10, 20), tilted, plate, kUnbounded_mm), 19 - low);
+    expect_gap(shape_distance(Shape::cylinder(10, 20), tilted, plate, kUnbounded_mm), 19 - low);
 }
 
 TEST(ShapeGap, RoundBodiesSideBySide) {
     const auto across = turned(90, Vector3d::UnitX(), shift(0, 0, 20));
-    expect_gap(gap_between(Shape::cylinder(10, 50), across, Shape::sphere(6), kUnbounded_mm), 12);
-    expect_gap(gap_between(Shape::cylinder(10, 50), shift(30, 40, 0), Shape::cylinder(20, 50), kUnbounded_mm),
-               35);
+    expect_gap(shape_distance(Shape::cylinder(10, 50), across, Shape::sphere(6), kUnbounded_mm), 12);
     expect_gap(
-        gap_between(Shape::cylinder(10, 50), shift(30, 40, 62), Shape::cylinder(20, 50), kUnbounded_mm),
+        shape_distance(Shape::cylinder(10, 50), shift(30, 40, 0), Shape::cylinder(20, 50), kUnbounded_mm),
+        35);
+    expect_gap(
+        shape_distance(Shape::cylinder(10, 50), shift(30, 40, 62), Shape::cylinder(20, 50), kUnbounded_mm),
         std::hypot(35, 12));
 }
 
 TEST(ShapeGap, WhatOverlapsHasNoDistance) {
     const Shape box = Shape::box({10, 10, 10});
-    EXPECT_EQ(gap_between(box, shift(3, 3, 3), box, kUnbounded_mm).upper_mm, 0);
-    EXPECT_EQ(gap_between(box, Isometry3d::Identity(), box, kUnbounded_mm).upper_mm, 0);
-    EXPECT_EQ(gap_between(Shape::sphere(8), shift(8, 0, 0), box, kUnbounded_mm).upper_mm, 0);
-    EXPECT_EQ(gap_between(Shape::cylinder(8, 8), shift(8, 0, 0), box, kUnbounded_mm).upper_mm, 0);
+    EXPECT_EQ(shape_distance(box, shift(3, 3, 3), box, kUnbounded_mm).upper_mm, 0);
+    EXPECT_EQ(shape_distance(box, Isometry3d::Identity(), box, kUnbounded_mm).upper_mm, 0);
+    EXPECT_EQ(shape_distance(Shape::sphere(8), shift(8, 0, 0), box, kUnbounded_mm).upper_mm, 0);
+    EXPECT_EQ(shape_distance(Shape::cylinder(8, 8), shift(8, 0, 0), box, kUnbounded_mm).upper_mm, 0);
 }
 
 TEST(ShapeGap, FarBodiesAreFarEnough) {
     const Shape box = Shape::box({10, 10, 10});
-    EXPECT_EQ(gap_between(box, shift(100, 0, 0), box, 50).lower_mm, 50);
+    EXPECT_EQ(shape_distance(box, shift(100, 0, 0), box, 50).lower_mm, 50);
 }
 
 // A distance is proved from both sides: two points of the bodies are as near, and a plane between them keeps
@@ -79,7 +80,8 @@ TEST(ShapeGap, RandomConvexBodiesAreProvedFromBothSides) {
         const double height = between(random, 0.1, 100);
         const Isometry3d pose = random_pose(random, 120);
         const Vector3d size = Vector3d::Constant(51) + random_vector(random, 50);
-        const Gap gap = gap_between(Shape::cylinder(diameter, height), pose, Shape::box(size), kUnbounded_mm);
+        const Gap gap =
+            shape_distance(Shape::cylinder(diameter, height), pose, Shape::box(size), kUnbounded_mm);
         EXPECT_LE(gap.upper_mm - gap.lower_mm, 1e-6);
         if (gap.upper_mm == 0) continue;
         const Vector3d in_cylinder = pose.inverse() * gap.on_first;
@@ -101,8 +103,9 @@ TEST(ShapeGap, DistancesDoNotJump) {
         const Isometry3d pose = random_pose(random, 30);
         Isometry3d shifted = pose;
         shifted.translation() += 1e-7 * random_vector(random, 1).normalized();
-        const Gap gap = gap_between({*tool.convex(), pose, pose}, triangle, current, {kUnbounded_mm});
-        const Gap moved = gap_between({*tool.convex(), shifted, shifted}, triangle, current, {kUnbounded_mm});
+        const Gap gap = shape_distance({*tool.convex(), pose, pose}, triangle, current, {kUnbounded_mm});
+        const Gap moved =
+            shape_distance({*tool.convex(), shifted, shifted}, triangle, current, {kUnbounded_mm});
         EXPECT_NEAR(gap.upper_mm, moved.upper_mm, 1e-4);
         EXPECT_NEAR(gap.lower_mm, gap.upper_mm, 1e-4);
     }
@@ -120,7 +123,8 @@ TEST(ShapeGap, BoxesAsTheLibraryHasThem) {
         fcl::DistanceResultd result;
         const double expected =
             std::max(0.0, fcl::distance(&first, &second, fcl::DistanceRequestd(), result));
-        EXPECT_NEAR(gap_between(Shape::box(a), pose, Shape::box(b), kUnbounded_mm).upper_mm, expected, 1e-4);
+        EXPECT_NEAR(shape_distance(Shape::box(a), pose, Shape::box(b), kUnbounded_mm).upper_mm, expected,
+                    1e-4);
     }
 }
 
@@ -137,11 +141,11 @@ TEST(ShapeGap, MeshesAreNearestByTheirNearestTriangle) {
             triangle.point_count = 3;
             for (std::size_t c = 0; c < 3; ++c) triangle.points[c] = surface.vertices[corners[c]];
             const Convex ball = *Shape::sphere(10).convex();
-            expected = std::min(expected,
-                                gap_between({ball, pose, pose}, triangle, current, {kUnbounded_mm}).upper_mm);
+            expected = std::min(
+                expected, shape_distance({ball, pose, pose}, triangle, current, {kUnbounded_mm}).upper_mm);
         }
-        EXPECT_NEAR(gap_between(Shape::sphere(10), pose, mesh, kUnbounded_mm).upper_mm, expected, 1e-8);
-        EXPECT_NEAR(gap_between(mesh, pose.inverse(), Shape::sphere(10), kUnbounded_mm).upper_mm, expected,
+        EXPECT_NEAR(shape_distance(Shape::sphere(10), pose, mesh, kUnbounded_mm).upper_mm, expected, 1e-8);
+        EXPECT_NEAR(shape_distance(mesh, pose.inverse(), Shape::sphere(10), kUnbounded_mm).upper_mm, expected,
                     1e-8);
     }
 }
@@ -153,9 +157,9 @@ TEST(ShapeGap, AMeshOfABoxIsABox) {
     const Shape other = Shape::mesh(box_surface({10, 50, 5}).mesh());
     for (int i = 0; i < 100; ++i) {
         const Isometry3d pose = random_pose(random, 80);
-        const double expected = gap_between(Shape::box({10, 50, 5}), pose, box, kUnbounded_mm).upper_mm;
+        const double expected = shape_distance(Shape::box({10, 50, 5}), pose, box, kUnbounded_mm).upper_mm;
         if (expected == 0) continue;
-        EXPECT_NEAR(gap_between(other, pose, mesh, kUnbounded_mm).upper_mm, expected, 1e-8);
+        EXPECT_NEAR(shape_distance(other, pose, mesh, kUnbounded_mm).upper_mm, expected, 1e-8);
     }
 }
 
@@ -172,9 +176,9 @@ TEST(ShapeGap, OnAStraightWayTheHullIsWhatIsPassed) {
         for (int step = 0; step <= 200; ++step) {
             Isometry3d at = from;
             at.translation() += displacement * step / 200;
-            nearest = std::min(nearest, gap_between(tool, at, mesh, kUnbounded_mm).upper_mm);
+            nearest = std::min(nearest, shape_distance(tool, at, mesh, kUnbounded_mm).upper_mm);
         }
-        const Gap swept_gap = gap_between(tool, from, to, mesh, kUnbounded_mm);
+        const Gap swept_gap = shape_distance(tool, from, to, mesh, kUnbounded_mm);
         EXPECT_LE(swept_gap.upper_mm, nearest + 1e-9);
         EXPECT_GE(swept_gap.upper_mm, nearest - displacement.norm() / 200);
         EXPECT_NEAR(swept_gap.lower_mm, swept_gap.upper_mm, 1e-6);
@@ -193,10 +197,10 @@ TEST(TriangleMesh, TrianglesWithoutAreaAreStillThere) {
     const std::vector<Vector3d> corners{Vector3d::Zero(), Vector3d::UnitX(), Vector3d(2, 0, 0)};
     const std::vector<Triangle> triangles(40, Triangle{0, 1, 2});
     const Shape needle = Shape::mesh(std::make_shared<const TriangleMesh>(corners, triangles));
-    expect_gap(gap_between(Shape::sphere(2), shift(1.5, 3, 4), needle, kUnbounded_mm), 4);
+    expect_gap(shape_distance(Shape::sphere(2), shift(1.5, 3, 4), needle, kUnbounded_mm), 4);
     const Shape point =
         Shape::mesh(std::make_shared<const TriangleMesh>(corners, std::vector<Triangle>{{0, 0, 0}}));
-    expect_gap(gap_between(Shape::sphere(2), shift(0, 3, 4), point, kUnbounded_mm), 4);
+    expect_gap(shape_distance(Shape::sphere(2), shift(0, 3, 4), point, kUnbounded_mm), 4);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr double kSame_s = 3e-8;             // 1e-6 mm at 100 mm/s, and 1e-9 s
 
 Cell cell_of(const std::string& tables) {
     auto cell = read_cell("[cell]\nname = \"test\"\n" + tables, "cell.toml", af5());
-    EXPECT_TRUE(cell) << (cell ? "" : cell.error());
+    EXPECT_TRUE(cell) << (cell ? "" : cell.error().message);
     return *std::move(cell);
 }
 
@@ -86,10 +86,9 @@ TEST(TouchSearch, IsRefusedWhereFramesGoByThemselves) {
     cell.make_movable(*cell.frames.find("block"), false);
     const auto search = TouchSearch::make(cell, af5(), {0, 0, 0});
     ASSERT_FALSE(search);
-    EXPECT_EQ(
-        search.error(),
-        "a probe cannot feel the bodies of a cell in which frames go by themselves (on conveyors, or led "
-        "by a program); on_probe of a script, or --probe, says where it touches");
+    EXPECT_EQ(search.error().message,
+              "a probe cannot detect the bodies of a cell with frames that move independently (on conveyors, "
+              "or moved by a program); on_probe of a script, or --probe, defines the contact");
 }
 
 }  // namespace

@@ -202,13 +202,13 @@ void Reader::set_feed(ExpectedMove& expected) const {
 
 }  // namespace
 
-tl::expected<std::vector<ExpectedMove>, std::string> read_canon(std::istream& text) {
+Result<std::vector<ExpectedMove>> read_canon(std::istream& text) {
     Reader reader;
     std::string line;
     for (long number = 1; std::getline(text, line); ++number) {
         const auto call = read_canon_call(line);
         if (!call || reader.add_call(*call, number)) continue;
-        return tl::unexpected(fmt::format("line {} of the canonical output lacks numbers: {}", number, line));
+        return Unexpected(fmt::format("line {} of the canonical output lacks numbers: {}", number, line));
     }
     return std::move(reader).moves();
 }

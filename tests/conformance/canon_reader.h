@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "tests/conformance/move.h"
 
 namespace gsim::conformance {
@@ -22,6 +21,6 @@ struct ExpectedMove {
 /// Reads canonical output as LinuxCNC's stand-alone interpreter prints it. It applies units, work offsets,
 /// the offset of G92, the rotation about Z and the tool's offset. The moves are therefore in mm, deg and
 /// machine coordinates. The error names the line that cannot be parsed.
-tl::expected<std::vector<ExpectedMove>, std::string> read_canon(std::istream& text);
+Result<std::vector<ExpectedMove>> read_canon(std::istream& text);
 
 }  // namespace gsim::conformance

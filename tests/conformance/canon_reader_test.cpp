@@ -125,7 +125,7 @@ TEST(CanonReader, NamesALineThatLacksNumbers) {
     std::istringstream text("    1 N..... ON_RESET()\n    2 N..... STRAIGHT_FEED(1.0, 2.0)\n");
     const auto moves = read_canon(text);
     ASSERT_FALSE(moves);
-    EXPECT_EQ(moves.error(),
+    EXPECT_EQ(moves.error().message,
               "line 2 of the canonical output lacks numbers:     2 N..... STRAIGHT_FEED(1.0, 2.0)");
 }
 

@@ -18,7 +18,7 @@ inline std::vector<ExpectedMove> expected_moves(std::initializer_list<const char
     int number = 0;
     for (const char* call : calls) text << "  " << ++number << " N..... " << call << '\n';
     auto moves = read_canon(text);
-    EXPECT_TRUE(moves) << moves.error();
+    EXPECT_TRUE(moves) << moves.error().message;
     return std::move(moves).value_or(std::vector<ExpectedMove>{});
 }
 

@@ -36,7 +36,7 @@ std::size_t length_of_switch(std::string_view text) {
 
 }  // namespace
 
-tl::expected<std::vector<Recorded>, std::string> find_recorded(const fs::path& folder) {
+Result<std::vector<Recorded>> find_recorded(const fs::path& folder) {
     std::vector<Recorded> all;
     std::error_code error;
     fs::recursive_directory_iterator entry(folder, error);
@@ -44,7 +44,7 @@ tl::expected<std::vector<Recorded>, std::string> find_recorded(const fs::path& f
         std::optional<Recorded> found = recorded(entry->path());
         if (found && fs::is_regular_file(found->program)) all.push_back(*std::move(found));
     }
-    if (error) return tl::unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
+    if (error) return Unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.canon < b.canon; });
     return all;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::conformance {
 
@@ -17,7 +17,7 @@ struct Recorded {
 
 /// The recorded programs below a folder, sorted by name: FILE with FILE.canon.gz or
 /// FILE.canon-without-M428-430.gz. The error names the folder that cannot be read.
-tl::expected<std::vector<Recorded>, std::string> find_recorded(const std::filesystem::path& folder);
+Result<std::vector<Recorded>> find_recorded(const std::filesystem::path& folder);
 
 /// A program's text without the words M428, M429 and M430.
 std::string without_kinematics_switches(const std::string& program);

@@ -16,7 +16,7 @@ TEST(Corpus, HoldsProgramsWithRecordedOutput) {
     folder.write("alone.ngc", "M2");
     folder.write("lost.ngc.canon.gz", "");
     const auto found = find_recorded(folder.path());
-    ASSERT_TRUE(found) << found.error();
+    ASSERT_TRUE(found) << found.error().message;
     ASSERT_EQ(found->size(), 2U);
     EXPECT_EQ((*found)[0].program.filename(), "a.nc");
     EXPECT_TRUE((*found)[0].without_kinematics);
@@ -28,7 +28,7 @@ TEST(Corpus, NamesAFolderThatIsNotThere) {
     const ScratchFolder folder;
     const auto found = find_recorded(folder.path() / "none");
     ASSERT_FALSE(found);
-    EXPECT_NE(found.error().find("none"), std::string::npos);
+    EXPECT_NE(found.error().message.find("none"), std::string::npos);
 }
 
 TEST(Corpus, DeletesTheWordsThatSwitchKinematics) {

@@ -11,8 +11,7 @@ namespace gsim::conformance {
 
 namespace {
 
-tl::expected<std::vector<Known>, std::string> parse_known(const std::string& text,
-                                                          const std::filesystem::path& list) {
+Result<std::vector<Known>> parse_known(const std::string& text, const std::filesystem::path& list) {
     std::vector<Known> known;
     std::istringstream lines(text);
     std::string line;
@@ -23,7 +22,7 @@ tl::expected<std::vector<Known>, std::string> parse_known(const std::string& tex
         std::getline(words >> std::ws, entry.reason);
         entry.reason.erase(entry.reason.find_last_not_of(" \t\r") + 1);
         if (entry.reason.empty()) {
-            return tl::unexpected(
+            return Unexpected(
                 fmt::format("{}:{}: what does the error of {} hold?", list.string(), number, entry.file));
         }
         known.push_back(std::move(entry));
@@ -33,7 +32,7 @@ tl::expected<std::vector<Known>, std::string> parse_known(const std::string& tex
 
 }  // namespace
 
-tl::expected<std::vector<Known>, std::string> read_known(const std::filesystem::path& list) {
+Result<std::vector<Known>> read_known(const std::filesystem::path& list) {
     return read_text(list).and_then([&list](const std::string& text) { return parse_known(text, list); });
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::conformance {
 
@@ -17,7 +17,7 @@ struct Known {
 
 /// A list of them: a file's name, white space and what its error holds on each line; `#` begins a remark. The
 /// error names the file that cannot be read, or the line without a reason.
-tl::expected<std::vector<Known>, std::string> read_known(const std::filesystem::path& list);
+Result<std::vector<Known>> read_known(const std::filesystem::path& list);
 
 /// The entry of a program, or nullptr.
 const Known* find_known(const std::vector<Known>& known, std::string_view program);

@@ -38,7 +38,7 @@ struct Arguments {
     RandomRun random;
 };
 
-using Outcome = tl::expected<Verdict, std::string>;
+using Outcome = Result<Verdict>;
 
 Outcome compare_with(const std::filesystem::path& canon_file, const std::vector<Move>& moves) {
     return read_text(canon_file).and_then([&moves](const std::string& text) -> Outcome {
@@ -54,7 +54,7 @@ bool is_as_known(const std::string& name, const Outcome& outcome, const std::vec
     const Known* const entry = find_known(known, name);
     const bool agrees = outcome && !outcome->difference;
     if (entry == nullptr) return agrees;
-    if (!outcome && outcome.error().find(entry->reason) != std::string::npos) return true;
+    if (!outcome && outcome.error().message.find(entry->reason) != std::string::npos) return true;
     fmt::print("{}: is not refused by \"{}\", as the list of known files has it\n", name, entry->reason);
     return false;
 }
@@ -62,7 +62,7 @@ bool is_as_known(const std::string& name, const Outcome& outcome, const std::vec
 // Prints how a file fared; whether it agrees wholly.
 bool print(const std::string& name, const Outcome& outcome, bool failures_only) {
     if (!outcome) {
-        fmt::print("{}: refused: {}\n", name, outcome.error());
+        fmt::print("{}: refused: {}\n", name, outcome.error().message);
         return false;
     }
     if (!outcome->difference) {
@@ -91,11 +91,11 @@ int compare_folder(const Arguments& arguments) {
         return kSkipped;
     }
     const auto programs = find_recorded(arguments.folder);
-    if (!programs) throw std::runtime_error(programs.error());
+    if (!programs) throw std::runtime_error(programs.error().message);
     if (programs->empty()) throw std::runtime_error("no recorded programs in " + arguments.folder);
     const bool has_list = !arguments.known_file.empty();
     const auto known = has_list ? read_known(arguments.known_file) : std::vector<Known>{};
-    if (!known) throw std::runtime_error(known.error());
+    if (!known) throw std::runtime_error(known.error().message);
     const GsimRuns gsim(arguments.gsim, recorded_tools());
     std::size_t agreeing = 0, as_known = 0;
     for (const Recorded& recorded : *programs) {
@@ -116,7 +116,7 @@ int compare_folder(const Arguments& arguments) {
 int compare_random_programs(const Arguments& arguments) {
     const auto tally = compare_random(arguments.random, arguments.gsim);
     if (!tally) {
-        fmt::print("skipped: {}\n", tally.error());
+        fmt::print("skipped: {}\n", tally.error().message);
         return kSkipped;
     }
     fmt::print("{} of {} random programs agree, {} are refused by both, {} differ\n", tally->agree,
@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
                                "Compares moves of gsim with canonical output of LinuxCNC's interpreter");
         conformance::add_options(line, arguments);
         const auto parsed = apps::parse(line, std::vector<std::string>(argv + 1, argv + argc));
-        if (!parsed) throw std::runtime_error(parsed.error());
+        if (!parsed) throw std::runtime_error(parsed.error().message);
         if (*parsed) return **parsed;
         return conformance::run(arguments);
     } catch (const std::exception& error) {

@@ -49,7 +49,7 @@ Move read_move(const json& object) {
 
 }  // namespace
 
-tl::expected<std::vector<Move>, std::string> read_moves(std::istream& text) {
+Result<std::vector<Move>> read_moves(std::istream& text) {
     std::vector<Move> moves;
     std::string line;
     for (long number = 1; std::getline(text, line); ++number) {
@@ -57,7 +57,7 @@ tl::expected<std::vector<Move>, std::string> read_moves(std::istream& text) {
         try {
             moves.push_back(read_move(text::parse_json<json>(line)));
         } catch (const std::exception& error) {  // those of nlohmann and our own
-            return tl::unexpected(
+            return Unexpected(
                 fmt::format("line {} of the moves cannot be understood: {}", number, error.what()));
         }
     }

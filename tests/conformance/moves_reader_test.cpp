@@ -14,7 +14,7 @@ TEST(MovesReader, ReadsMovesArcsAndDwells) {
 {"n":3,"file":null,"line":null,"kind":"dwell","to":{"X":5,"Y":2,"Z":3},"feed":null,"start_s":2,"end_s":2.5}
 )");
     const auto moves = read_moves(text);
-    ASSERT_TRUE(moves) << moves.error();
+    ASSERT_TRUE(moves) << moves.error().message;
     ASSERT_EQ(moves->size(), 3U);
     EXPECT_EQ((*moves)[0].kind, Kind::rapid);
     EXPECT_EQ((*moves)[0].to, (AxisValues{1, 2, 3, 4, 0, 0}));
@@ -33,7 +33,8 @@ TEST(MovesReader, NamesALineThatItCannotRead) {
     std::istringstream text(R"({"kind":"loop"})");
     const auto moves = read_moves(text);
     ASSERT_FALSE(moves);
-    EXPECT_EQ(moves.error(), "line 1 of the moves cannot be understood: its kind 'loop' is not known");
+    EXPECT_EQ(moves.error().message,
+              "line 1 of the moves cannot be understood: its kind 'loop' is not known");
     std::istringstream broken("{");
     EXPECT_FALSE(read_moves(broken));
 }

@@ -32,12 +32,11 @@ std::string read_all(std::FILE* file) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> command_output(const std::vector<std::string>& command,
-                                                      const fs::path& input) {
+Result<std::string> command_output(const std::vector<std::string>& command, const fs::path& input) {
     const File in(std::fopen(input.c_str(), "rb"));
-    if (!in) return tl::unexpected("cannot read " + input.string());
+    if (!in) return Unexpected("cannot read " + input.string());
     const File out(std::tmpfile());
-    if (!out) return tl::unexpected<std::string>("cannot make a temporary file");
+    if (!out) return Unexpected("cannot create a temporary file");
     if (const auto ran = os::run_child(command, in.get(), out.get()); !ran)
         return tl::unexpected(ran.error());
     return read_all(out.get());
@@ -48,7 +47,7 @@ GsimRuns::GsimRuns(GsimOptions options, const std::vector<ToolRow>& tools)
 
 // Each program is run alone, as the reference was: with a name of its own, in a folder without its
 // neighbours. A short name also leaves space for the message.
-tl::expected<fs::path, std::string> GsimRuns::place(const Recorded& recorded) const {
+Result<fs::path> GsimRuns::place(const Recorded& recorded) const {
     const fs::path standalone = scratch_.path() / ("program" + recorded.program.extension().string());
     fs::remove(standalone);
     if (!recorded.without_kinematics) {
@@ -63,7 +62,7 @@ tl::expected<fs::path, std::string> GsimRuns::place(const Recorded& recorded) co
 /// Limit above the blocks of any recording, so that an endless program does not take long.
 constexpr const char* kMaxBlocks = "300000";
 
-tl::expected<std::vector<Move>, std::string> GsimRuns::moves(const Recorded& recorded) const {
+Result<std::vector<Move>> GsimRuns::moves(const Recorded& recorded) const {
     const auto program = place(recorded);
     if (!program) return tl::unexpected(program.error());
     const fs::path moves_file = scratch_.path() / "moves.jsonl";
@@ -74,7 +73,7 @@ tl::expected<std::vector<Move>, std::string> GsimRuns::moves(const Recorded& rec
     command.insert(command.end(), options_.extra.begin(), options_.extra.end());
     command.push_back(*program);
     if (const auto ran = command_output(command, "/dev/null"); !ran)
-        return tl::unexpected(without_paths(ran.error()));
+        return tl::unexpected(without_paths(ran.error().message));
     std::ifstream moves(moves_file);
     return read_moves(moves);
 }
@@ -88,7 +87,7 @@ std::string GsimRuns::without_paths(std::string message) const {
     return message;
 }
 
-tl::expected<std::string, std::string> read_text(const fs::path& file) {
+Result<std::string> read_text(const fs::path& file) {
     if (file.extension() == ".gz") return command_output({"gzip", "-dc"}, file);
     return command_output({"cat"}, file);
 }

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "tests/conformance/corpus.h"
 #include "tests/conformance/move.h"
 #include "tests/conformance/scratch_folder.h"
@@ -26,10 +25,10 @@ class GsimRuns {
     GsimRuns(GsimOptions options, const std::vector<ToolRow>& tools);
 
     /// The moves of a program in the dialect rs274ngc; the error is the first one that gsim-run reports.
-    tl::expected<std::vector<Move>, std::string> moves(const Recorded& recorded) const;
+    Result<std::vector<Move>> moves(const Recorded& recorded) const;
 
   private:
-    tl::expected<std::filesystem::path, std::string> place(const Recorded& recorded) const;
+    Result<std::filesystem::path> place(const Recorded& recorded) const;
     std::string without_paths(std::string message) const;
 
     GsimOptions options_;
@@ -38,10 +37,10 @@ class GsimRuns {
 };
 
 /// Returns the output of a command (found by PATH) that reads `input`; the error says how it failed.
-tl::expected<std::string, std::string> command_output(const std::vector<std::string>& command,
-                                                      const std::filesystem::path& input);
+Result<std::string> command_output(const std::vector<std::string>& command,
+                                   const std::filesystem::path& input);
 
-/// Returns a file's text; a file with a name ending in .gz is unpacked by gzip. The error is a message.
-tl::expected<std::string, std::string> read_text(const std::filesystem::path& file);
+/// Returns a file's text; a file with a name ending in .gz is unpacked by gzip.
+Result<std::string> read_text(const std::filesystem::path& file);
 
 }  // namespace gsim::conformance

@@ -24,14 +24,14 @@ void print_difference(std::size_t seed, const std::string& what) {
 }
 
 Outcome judge(std::size_t seed, const std::optional<std::vector<ExpectedMove>>& expected,
-              const tl::expected<std::vector<Move>, std::string>& found) {
+              const Result<std::vector<Move>>& found) {
     if (!expected && !found) return Outcome::rejected;
     if (!expected) {
         print_difference(seed, "only the reference refuses it");
         return Outcome::differ;
     }
     if (!found) {
-        print_difference(seed, "only gsim refuses it: " + found.error());
+        print_difference(seed, "only gsim refuses it: " + found.error().message);
         return Outcome::differ;
     }
     const Verdict verdict = compare(*expected, *found);
@@ -59,10 +59,10 @@ void count(Outcome outcome, RandomTally& tally) {
 
 }  // namespace
 
-tl::expected<RandomTally, std::string> compare_random(const RandomRun& run, const GsimOptions& gsim) {
+Result<RandomTally> compare_random(const RandomRun& run, const GsimOptions& gsim) {
     const ReferenceInterpreter reference(run.reference, random_program_tools());
     if (!reference.is_installed())
-        return tl::unexpected(fmt::format("'{}' of LinuxCNC is not installed", run.reference));
+        return Unexpected(fmt::format("'{}' of LinuxCNC is not installed", run.reference));
     const GsimRuns runs(gsim, random_program_tools());
     const ScratchFolder scratch;
     RandomTally tally;

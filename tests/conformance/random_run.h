@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/error.h"
 #include "tests/conformance/programs.h"
 
 namespace gsim::conformance {
@@ -24,6 +25,6 @@ struct RandomTally {
 
 /// Runs random programs with gsim and with the reference, prints each that differs with its seed, and counts.
 /// The error says that the reference is not there.
-tl::expected<RandomTally, std::string> compare_random(const RandomRun& run, const GsimOptions& gsim);
+Result<RandomTally> compare_random(const RandomRun& run, const GsimOptions& gsim);
 
 }  // namespace gsim::conformance

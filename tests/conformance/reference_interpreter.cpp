@@ -28,8 +28,7 @@ std::optional<std::string> ReferenceInterpreter::canonical_output(const fs::path
     return output ? std::optional(*output) : std::nullopt;
 }
 
-tl::expected<std::optional<std::vector<ExpectedMove>>, std::string> ReferenceInterpreter::moves(
-    const fs::path& program) const {
+Result<std::optional<std::vector<ExpectedMove>>> ReferenceInterpreter::moves(const fs::path& program) const {
     const std::optional<std::string> output = canonical_output(program);
     if (!output) return std::nullopt;
     std::istringstream canon(*output);

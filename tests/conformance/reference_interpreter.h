@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "tests/conformance/canon_reader.h"
 #include "tests/conformance/scratch_folder.h"
 #include "tests/conformance/tool_rows.h"
@@ -23,8 +22,7 @@ class ReferenceInterpreter {
     bool is_installed() const;
     /// Returns its moves for a program that is run alone, or none if it rejects the program. The error is a
     /// message about output that cannot be parsed.
-    tl::expected<std::optional<std::vector<ExpectedMove>>, std::string> moves(
-        const std::filesystem::path& program) const;
+    Result<std::optional<std::vector<ExpectedMove>>> moves(const std::filesystem::path& program) const;
 
   private:
     std::optional<std::string> canonical_output(const std::filesystem::path& program) const;

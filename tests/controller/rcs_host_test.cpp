@@ -17,7 +17,7 @@ class Loading : public testing::TestWithParam<HostProcess> {
   protected:
     static std::string load_error(const std::string& name, RcsProcessLimits limits = {}) {
         const auto module = module_at(GetParam(), name, limits);
-        return module ? "it was loaded" : module.error();
+        return module ? "it was loaded" : module.error().message;
     }
 };
 
@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(Places, Loading, both_places(), place_name);
 
 TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
     auto library = RcsLibrary::load(module_path("small_module"), slides());
-    ASSERT_TRUE(library.has_value()) << library.error();
+    ASSERT_TRUE(library.has_value()) << library.error().message;
     EXPECT_EQ((*library)->name(), "small_module.so");
     auto one = RcsModule::create(*library, slides());
     auto other = RcsModule::create(*library, slides());
@@ -42,16 +42,16 @@ TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
 
 TEST_P(Loading, SaysWhyALibraryIsNoModule) {
     EXPECT_THAT(load_error("there_is_none"), HasSubstr("cannot load the controller module there_is_none.so"));
-    EXPECT_EQ(load_error("no_module"), "no_module.so is no controller module: it has no gsim_rcs_version");
+    EXPECT_EQ(load_error("no_module"), "no_module.so is not a controller module: it has no gsim_rcs_version");
     EXPECT_EQ(load_error("other_version"),
-              "other_version.so is a controller module of version 3 of the interface; this program speaks "
+              "other_version.so is a controller module of version 3 of the interface; this program supports "
               "version 2");
 }
 
 TEST_P(Loading, SaysWhyAModuleMakesNoController) {
     EXPECT_EQ(load_error("no_machine"),
-              "no_machine.so makes no controller for this machine: It drives lathes alone.");
-    EXPECT_EQ(load_error("no_initialize"), "no_initialize.so does not offer the service Initialize");
+              "no_machine.so created no controller for this machine: It drives lathes alone.");
+    EXPECT_EQ(load_error("no_initialize"), "no_initialize.so does not support the service Initialize");
 }
 
 TEST_P(Loading, CrashWhileLoadingIsASentence) {
@@ -69,9 +69,9 @@ TEST_P(Loading, CrashWhileLoadingIsASentence) {
 
 TEST_P(Loading, NoAnswerWhileLoadingIsASentence) {
     for (const char* const name : {"hangs_on_load", "hangs_in_create"}) {
-        EXPECT_EQ(
-            load_error(name, {.response_timeout_ms = 200}),
-            fmt::format("the controller module {}.so gave no answer within 0.2 s while it was loaded", name));
+        EXPECT_EQ(load_error(name, {.response_timeout_ms = 200}),
+                  fmt::format("the controller module {}.so did not respond within 0.2 s while it was loaded",
+                              name));
     }
 }
 
@@ -84,7 +84,7 @@ TEST(RcsHost, WhatIsNoLibraryIsASentence) {
     for (const std::string& path : {text, empty, folder}) {
         const auto library = RcsLibrary::load(path, slides());
         ASSERT_FALSE(library.has_value()) << path;
-        EXPECT_THAT(library.error(), testing::StartsWith("cannot load the controller module "));
+        EXPECT_THAT(library.error().message, testing::StartsWith("cannot load the controller module "));
     }
     std::filesystem::remove(text);
     std::filesystem::remove(empty);

@@ -120,12 +120,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Misdeed{"crashes", "crashed in GetNextStep (signal 11)"},
                     Misdeed{"aborts", "crashed in GetNextStep (signal 6)"},
                     Misdeed{"exits", "ended its process in GetNextStep (status 3)"},
-                    Misdeed{"hangs", "gave no answer in GetNextStep within 0.5 s"},
-                    Misdeed{"sleeps", "gave no answer in GetNextStep within 0.5 s"},
-                    Misdeed{"blocks_signals", "gave no answer in GetNextStep within 0.5 s"},
+                    Misdeed{"hangs", "did not respond in GetNextStep within 0.5 s"},
+                    Misdeed{"sleeps", "did not respond in GetNextStep within 0.5 s"},
+                    Misdeed{"blocks_signals", "did not respond in GetNextStep within 0.5 s"},
                     Misdeed{"hogs_memory", "crashed in GetNextStep (signal 6)"},
-                    Misdeed{"closes_descriptors", "broke its connection in GetNextStep"},
-                    Misdeed{"writes_everywhere", "broke its connection in GetNextStep"},
+                    Misdeed{"closes_descriptors", "closed its connection in GetNextStep"},
+                    Misdeed{"writes_everywhere", "closed its connection in GetNextStep"},
                     Misdeed{"leaves_a_child", "crashed in GetNextStep (signal 11)"},
                     Misdeed{"crashes_in_target", "crashed in SetNextTarget (signal 11)"}),
     [](const auto& param) { return std::string(param.param.module); });
@@ -238,7 +238,7 @@ TEST(RcsProcess, OneThatIsKilledFromOutsideIsAFault) {
     siginfo_t ended{};
     ::waitid(P_PID, static_cast<id_t>(processes.front()), &ended, WEXITED | WNOWAIT);
     EXPECT_EQ(queue(module, 1), GSIM_RCS_FAULT);
-    EXPECT_EQ(module.loss().value_or(""), "was ended between two services (signal 9)");
+    EXPECT_EQ(module.loss().value_or(""), "was terminated between two services (signal 9)");
 }
 
 TEST(RcsProcess, TwoAtOnceKnowNothingOfEachOther) {
@@ -276,10 +276,10 @@ TEST(RcsProcess, EndsWithItsCallerHoweverThatEnds) {
 TEST(RcsProcess, AProgramThatIsNotThereOrNoHostIsASentence) {
     const auto none = start_rcs_process("/there/is/none", module_path("small_module"), slides());
     ASSERT_FALSE(none);
-    EXPECT_EQ(none.error(), "cannot run /there/is/none: No such file or directory");
+    EXPECT_EQ(none.error().message, "cannot run /there/is/none: No such file or directory");
     const auto other = start_rcs_process("/bin/true", module_path("small_module"), slides());
     ASSERT_FALSE(other);
-    EXPECT_EQ(other.error(),
+    EXPECT_EQ(other.error().message,
               "the controller module small_module.so ended its process (status 0) while it was loaded");
 }
 

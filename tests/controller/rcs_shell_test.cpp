@@ -68,7 +68,7 @@ TEST_P(Modules, ModuleMovesAsItIsAskedTo) {
 TEST_P(Modules, MissingServiceIsNamedAndIsNoFault) {
     RcsShell shell = ready("small_module");
     EXPECT_EQ(shell.StopMotion(), Status::RRS_SERVICE_NOT_SUPPORTED);
-    EXPECT_EQ(message(shell), "small_module.so does not offer the service StopMotion.");
+    EXPECT_EQ(message(shell), "small_module.so does not support the service StopMotion.");
     EXPECT_EQ(shell.SetNextTarget(1, TargetParam::end, CartPos::Identity(), at(0, 0, 0), "", 0),
               Status::RRS_ZERO_SPEED);
     EXPECT_EQ(message(shell), "No speed is programmed.");
@@ -82,7 +82,7 @@ TEST_P(Modules, OpcodesOfLaterHeadersAreMissingServices) {
     EXPECT_EQ(shell.SetRampMode(RampMode::s_curve), Status::RRS_SERVICE_NOT_SUPPORTED);
     EXPECT_EQ(shell.SetJointRampLimits(RampLimit::jerk, {}, {&value, 1}), Status::RRS_SERVICE_NOT_SUPPORTED);
     EXPECT_EQ(shell.DefinePathEvent(1, 1, -5), Status::RRS_SERVICE_NOT_SUPPORTED);
-    EXPECT_EQ(message(shell), "small_module.so does not offer the service DefinePathEvent.");
+    EXPECT_EQ(message(shell), "small_module.so does not support the service DefinePathEvent.");
     EXPECT_FALSE(shell.error());
 }
 
@@ -92,7 +92,7 @@ TEST_P(Modules, WhatDoesNotFitTheInterfaceDoesNotReachTheModule) {
               Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(message(shell), "The name of the frame is too long.");
     EXPECT_EQ(shell.SetJointSpeeds({}, std::vector<double>(17, 1.0)), Status::RRS_INVALID_PARAMETER);
-    EXPECT_EQ(message(shell), "SetJointSpeeds takes at most 16 values.");
+    EXPECT_EQ(message(shell), "SetJointSpeeds accepts at most 16 values.");
 }
 
 struct BadAnswer {
@@ -120,11 +120,11 @@ INSTANTIATE_TEST_SUITE_P(
     Modules, RcsShellFaults,
     testing::Combine(
         testing::Values(
-            BadAnswer{"nan_answer", "answered GetNextStep with the value nan for joint 2"},
-            BadAnswer{"backwards", "answered GetNextStep with a time that runs backwards, by 0.01 s"},
-            BadAnswer{"fewer_joints", "answered GetNextStep with 1 joint values; the machine has 3"},
-            BadAnswer{"no_status", "answered GetNextStep with 77, which is no status"},
-            BadAnswer{"leaves_output", "answered GetNextStep with a time of nan s"},
+            BadAnswer{"nan_answer", "responded to GetNextStep with the value nan for joint 2"},
+            BadAnswer{"backwards", "responded to GetNextStep with a time that decreases by 0.01 s"},
+            BadAnswer{"fewer_joints", "responded to GetNextStep with 1 joint values; the machine has 3"},
+            BadAnswer{"no_status", "responded to GetNextStep with 77, which is not a status"},
+            BadAnswer{"leaves_output", "responded to GetNextStep with a time of nan s"},
             BadAnswer{"breaks_down", "failed in GetNextStep: out of memory"}),
         both_places()),
     [](const auto& param) {
@@ -135,10 +135,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(Modules, StatusOfAnotherServiceIsAFault) {
     RcsShell shell = ready("wrong_status");
     EXPECT_EQ(shell.SelectTargetType(TargetType::joint), Status::RRS_MODULE_FAULT);
-    EXPECT_EQ(
-        message(shell),
-        "The controller module wrong_status.so answered SelectTargetType with RRS_TARGET_REACHED, which "
-        "is no answer to it.");
+    EXPECT_EQ(message(shell),
+              "The controller module wrong_status.so responded to SelectTargetType with RRS_TARGET_REACHED, "
+              "which is not a valid response.");
 }
 
 }  // namespace

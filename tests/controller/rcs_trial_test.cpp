@@ -37,14 +37,16 @@ TEST(RcsTrial, CrashEndsTheChildAlone) {
             },
             kPlenty_ms);
     };
-    EXPECT_EQ(crash(SIGSEGV).error(), "crashed (signal 11)");
-    EXPECT_EQ(crash(SIGABRT).error(), "crashed (signal 6)");
+    EXPECT_EQ(crash(SIGSEGV).error().message, "crashed (signal 11)");
+    EXPECT_EQ(crash(SIGABRT).error().message, "crashed (signal 6)");
 }
 
 TEST(RcsTrial, WorkThatEndsTheProgramOrThrowsHasNotBeenDone) {
-    EXPECT_EQ(run_trial([]() -> std::string { std::_Exit(0); }, kPlenty_ms).error(), "ended the program");
-    EXPECT_EQ(run_trial([]() -> std::string { std::exit(0); }, kPlenty_ms).error(), "ended the program");
-    EXPECT_EQ(run_trial([]() -> std::string { throw 1; }, kPlenty_ms).error(), "ended the program");
+    EXPECT_EQ(run_trial([]() -> std::string { std::_Exit(0); }, kPlenty_ms).error().message,
+              "ended the program");
+    EXPECT_EQ(run_trial([]() -> std::string { std::exit(0); }, kPlenty_ms).error().message,
+              "ended the program");
+    EXPECT_EQ(run_trial([]() -> std::string { throw 1; }, kPlenty_ms).error().message, "ended the program");
 }
 
 TEST(RcsTrial, WorkWithoutEndIsEnded) {
@@ -54,7 +56,7 @@ TEST(RcsTrial, WorkWithoutEndIsEnded) {
         },
         100);
     ASSERT_FALSE(said.has_value());
-    EXPECT_EQ(said.error(), "gave no answer within 0.1 s");
+    EXPECT_EQ(said.error().message, "did not respond within 0.1 s");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "controller/module/rcs_host.h"
 #include "controller/module/rcs_process.h"
 #include "controller/module/rcs_values.h"
@@ -39,8 +40,7 @@ inline auto both_places() {
 }
 
 /// Returns the module; the error is the reason why it cannot be used.
-inline tl::expected<RcsModule, std::string> module_at(HostProcess place, const std::string& name,
-                                                      RcsProcessLimits limits = {}) {
+inline Result<RcsModule> module_at(HostProcess place, const std::string& name, RcsProcessLimits limits = {}) {
     const gsim_rcs_machine machine = slides();
     if (place == HostProcess::separate_process)
         return start_rcs_process(tests::program_path("gsim-rcs-host"), module_path(name), machine, limits);

@@ -49,8 +49,8 @@ TEST_F(CInterface, TellsMovesAndSamplesAndAReport) {
     ASSERT_EQ(open(), GSIM_OK) << gsim_run_error(run_);
     std::vector<gsim_move> moves;
     std::vector<gsim_sample> samples;
-    ASSERT_EQ(gsim_run_take_moves(run_, 0, keep<gsim_move>, &moves), GSIM_OK);
-    ASSERT_EQ(gsim_run_take_samples(run_, 0, 0.01, keep<gsim_sample>, &samples), GSIM_OK);
+    ASSERT_EQ(gsim_run_on_moves(run_, 0, keep<gsim_move>, &moves), GSIM_OK);
+    ASSERT_EQ(gsim_run_on_samples(run_, 0, 0.01, keep<gsim_sample>, &samples), GSIM_OK);
     EXPECT_EQ(gsim_run_axis(run_, 0, 0), 'X');
     EXPECT_EQ(gsim_run_axis_is_rotary(run_, 0, 0), 0);
     ASSERT_EQ(gsim_run_go(run_), GSIM_OK);
@@ -65,17 +65,17 @@ TEST_F(CInterface, TellsMovesAndSamplesAndAReport) {
     EXPECT_DOUBLE_EQ(samples.back().t_s, gsim_run_cycle_time_s(run_));
     EXPECT_NEAR(samples.back().axes[1], 100, 1e-9);
     EXPECT_THAT(gsim_run_report_json(run_), HasSubstr("\"completed\""));
-    EXPECT_EQ(gsim_run_go(run_), GSIM_FAILED) << "a run goes once";
+    EXPECT_EQ(gsim_run_go(run_), GSIM_FAILED) << "a run can be started only once";
 }
 
 TEST_F(CInterface, SegmentsTellTheirMotionInTheCall) {
     ASSERT_EQ(open(), GSIM_OK);
     double farthest_mm = 0;
-    ASSERT_EQ(gsim_run_take_segments(
+    ASSERT_EQ(gsim_run_on_segments(
                   run_, 0,
                   [](void* user, const gsim_segment* segments, std::size_t count) {
                       for (std::size_t i = 0; i < count; ++i) {
-                          double axes[GSIM_MOST_AXES];
+                          double axes[GSIM_MAX_AXES];
                           gsim_segment_axes(&segments[i], segments[i].duration_s / 2, axes);
                           auto& farthest = *static_cast<double*>(user);
                           farthest = std::max(farthest, axes[0]);
@@ -90,7 +90,7 @@ TEST_F(CInterface, SegmentsTellTheirMotionInTheCall) {
 
 TEST_F(CInterface, AProgramWithErrorsIsRefusedWithItsReport) {
     set_program("G1 X\nG0 Y\n");
-    EXPECT_EQ(open(), GSIM_REFUSED);
+    EXPECT_EQ(open(), GSIM_REJECTED);
     EXPECT_EQ(diagnostics_.size(), 2U);
     EXPECT_THAT(gsim_run_report_json(run_), HasSubstr(diagnostics_.back()));
     EXPECT_EQ(gsim_run_go(run_), GSIM_FAILED);
@@ -103,7 +103,7 @@ TEST_F(CInterface, FilesComeFromACallback) {
                   [](void*, const char* name, gsim_bytes* bytes) -> std::int32_t {
                       if (std::string(name) != "O0007.nc") return 0;
                       const std::string text = "O7\nG0 X12\nM99\n";
-                      return gsim_bytes_put(bytes, text.data(), text.size()) == GSIM_OK ? 1 : 0;
+                      return gsim_bytes_append(bytes, text.data(), text.size()) == GSIM_OK ? 1 : 0;
                   },
                   nullptr),
               GSIM_OK);
@@ -120,9 +120,9 @@ TEST_F(CInterface, UnknownKeysAndValuesAreRefused) {
     ASSERT_EQ(gsim_request_set_text(request_, "machine", "no-such.toml"), GSIM_OK);
     EXPECT_EQ(open(), GSIM_FAILED);
     EXPECT_THAT(gsim_run_error(run_), HasSubstr("no-such.toml"));
-    EXPECT_EQ(gsim_run_robots(run_), 0U);
+    EXPECT_EQ(gsim_run_robot_count(run_), 0U);
     EXPECT_EQ(gsim_run_axis(run_, 0, 0), 0);
-    EXPECT_EQ(gsim_run_take_moves(run_, 3, keep<gsim_move>, nullptr), GSIM_FAILED);
+    EXPECT_EQ(gsim_run_on_moves(run_, 3, keep<gsim_move>, nullptr), GSIM_FAILED);
     EXPECT_EQ(gsim_run_variables(run_), nullptr);
 }
 
@@ -131,7 +131,7 @@ TEST_F(CInterface, ItIsCancelledFromACallback) {
     for (int i = 0; i < 5000; ++i) program += i % 2 == 0 ? "G1 X10\n" : "G1 X0\n";
     set_program(program);
     ASSERT_EQ(open(), GSIM_OK);
-    ASSERT_EQ(gsim_run_take_moves(
+    ASSERT_EQ(gsim_run_on_moves(
                   run_, 0,
                   [](void* user, const gsim_move*, std::size_t) {
                       gsim_run_cancel(*static_cast<gsim_run**>(user));
@@ -151,7 +151,7 @@ TEST_F(CInterface, TranslatesToLua) {
     ASSERT_EQ(gsim_translate(request_, on_diagnostic, &diagnostics_, take, &lua), GSIM_OK);
     EXPECT_THAT(lua, HasSubstr("G1{x=200"));
     set_program("G1 X\n");
-    EXPECT_EQ(gsim_translate(request_, on_diagnostic, &diagnostics_, take, &lua), GSIM_REFUSED);
+    EXPECT_EQ(gsim_translate(request_, on_diagnostic, &diagnostics_, take, &lua), GSIM_REJECTED);
     EXPECT_EQ(diagnostics_.size(), 1U);
     EXPECT_EQ(gsim_api_version(), GSIM_API_VERSION);
 }
@@ -165,7 +165,7 @@ TEST_F(CInterface, DocumentsAreWritten) {
     };
     EXPECT_EQ(gsim_run_write(run_, 0, "film", 0.1, take, &csv), GSIM_FAILED);
     EXPECT_STREQ(gsim_run_error(run_),
-                 "'film' is no document; there are moves, trajectory, dxf, path and plot");
+                 "'film' is not an output; known outputs: moves, trajectory, dxf, path and plot");
     ASSERT_EQ(gsim_run_write(run_, 0, "trajectory", 0.1, take, &csv), GSIM_OK);
     ASSERT_EQ(gsim_run_go(run_), GSIM_OK);
     EXPECT_THAT(csv, HasSubstr("t_s,line,x_mm"));

@@ -68,15 +68,15 @@ TEST(ControllerSettings, WhatIsNotTakenOverIsToldByName) {
     ASSERT_NE(hal, reported.end());
     EXPECT_EQ(hal->severity, Severity::note);
     EXPECT_EQ(hal->file, "mill.ini");
-    EXPECT_THAT(hal->text, testing::StartsWith("not taken over: "));
+    EXPECT_THAT(hal->text, testing::StartsWith("not imported: "));
 }
 
 TEST(ControllerSettings, OtherTextsAreRefused) {
     const auto settings = read("hello\n", "a.txt");
     ASSERT_FALSE(settings);
-    EXPECT_EQ(
-        settings.error().message,
-        "'a.txt' is no LinuxCNC .ini, .tbl or .var, and has no lines as grbl answers to $$ ($110=500.000)");
+    EXPECT_EQ(settings.error().message,
+              "'a.txt' is not a LinuxCNC .ini, .tbl or .var, and has no lines of grbl's response to $$ "
+              "($110=500.000)");
 }
 
 }  // namespace

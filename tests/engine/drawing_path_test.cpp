@@ -145,16 +145,16 @@ TEST(DrawingPath, WhatDoesNotGoTogetherIsRefused) {
     EXPECT_EQ(rejection(request), "usage: give --material and --thickness, or --speed and --kerf");
     request = request_of_drawing("part.svg", {{"part.svg", kPart}});
     request.reading.flip = true;
-    EXPECT_EQ(rejection(request), "input-file: --up and --flip are for STEP and IGES files");
+    EXPECT_EQ(rejection(request), "input-file: --up and --flip apply to STEP and IGES files");
     request = request_of_drawing("part.step", {});
     request.reading.layers = {"0"};
     EXPECT_EQ(rejection(request),
-              "input-file: --unit and --layer are for drawings; a STEP or IGES file says its unit");
+              "input-file: --unit and --layer apply to drawings; a STEP or IGES file defines its unit");
 }
 
 TEST(DrawingPath, ADrawingThatIsNotThereOrNoneIsToldByName) {
     EXPECT_EQ(rejection(request_of_drawing("none.svg", {})),
-              "input-file: cannot read 'none.svg': there is no such file");
+              "input-file: cannot read 'none.svg': file not found");
     EXPECT_EQ(rejection(request_of_drawing("part.txt", {{"part.txt", ""}})),
               "input-file: 'part.txt' is neither a .dxf nor an .svg file");
 }
@@ -172,7 +172,7 @@ TEST(DrawingPath, AMistakeOfTheDrawingIsInTheProgram) {
 
 TEST(DrawingPath, WithoutAReaderOfSolidsTheyAreRefusedByName) {
     EXPECT_EQ(rejection(request_of_drawing("part.step", {})),
-              "input-file: part.step: STEP and IGES files are not read here; DXF and SVG files are");
+              "input-file: part.step: STEP and IGES files are not supported here, only DXF and SVG files");
 }
 
 TEST(DrawingPath, AFlatPartComesFromTheHostWithItsThickness) {
@@ -194,7 +194,7 @@ TEST(DrawingPath, AnotherThicknessThanTheFlatPartsIsTold) {
     ASSERT_TRUE(
         result(request, [&](const Diagnostic& note) { reported.push_back(note.file + ": " + note.text); }));
     ASSERT_FALSE(reported.empty());
-    EXPECT_EQ(reported.front(), "part.step: the solid is 8 mm thick; --thickness says 10 mm");
+    EXPECT_EQ(reported.front(), "part.step: the solid is 8 mm thick, but --thickness is 10 mm");
 }
 
 TEST(DrawingPath, TheHostIsToldHowThePartIsLookedAt) {
@@ -280,7 +280,7 @@ TEST(DrawingPath, AChainOfEdgesStaysOpenAndKeepsOffTheOthersOfThePart) {
     };
     request.host.read_contours = one_side;
     EXPECT_THAT(rejection(request),
-                HasSubstr("edge #2 cannot be cut: at (0, 0, 0) the jet would go 0.5 mm into edge #5"));
+                HasSubstr("edge #2 cannot be cut: at (0, 0, 0) the jet would cut 0.5 mm into edge #5"));
     EXPECT_EQ(requested.edges, std::vector<std::string>{"#2"});
     request.host.read_contours = [&](const std::string& file, const ContourSelection& options) {
         Contours standalone = one_side(file, options);
@@ -295,22 +295,23 @@ TEST(DrawingPath, AChainOfEdgesStaysOpenAndKeepsOffTheOthersOfThePart) {
 TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
     DrawingRequest drawing = request_of_contours();
     drawing.drawing = "part.svg";
-    EXPECT_THAT(rejection(drawing), HasSubstr("--contours is for STEP and IGES files"));
+    EXPECT_THAT(rejection(drawing), HasSubstr("--contours applies to STEP and IGES files"));
     DrawingRequest flipped = request_of_contours();
     flipped.reading.flip = true;
-    EXPECT_THAT(rejection(flipped), HasSubstr("--up and --flip are for flat parts"));
+    EXPECT_THAT(rejection(flipped), HasSubstr("--up and --flip apply to flat parts, without --contours"));
     DrawingRequest bevelled = request_of_contours();
     bevelled.ways.bevel_deg = 10;
-    EXPECT_THAT(rejection(bevelled), HasSubstr("--bevel is for flat parts"));
+    EXPECT_THAT(rejection(bevelled), HasSubstr("--bevel applies to flat parts"));
     DrawingRequest leaned = request_of_contours();
     leaned.surface->tilt_deg = 10;
-    EXPECT_THAT(rejection(leaned), HasSubstr("--lean is from the face's normal"));
+    EXPECT_THAT(rejection(leaned), HasSubstr("--tilt-angle is relative to the face normal"));
     DrawingRequest edges = request_of_contours();
     edges.surface->contours.kind = "edges";
-    EXPECT_THAT(rejection(edges), HasSubstr("--contours edges needs the numbers of edges (--edge)"));
+    EXPECT_THAT(rejection(edges), HasSubstr("--contours edges requires the numbers of edges (--edge)"));
     DrawingRequest standalone = request_of_contours();
     standalone.host.read_contours = {};
-    EXPECT_THAT(rejection(standalone), HasSubstr("STEP and IGES files are not read here"));
+    EXPECT_THAT(rejection(standalone),
+                HasSubstr("STEP and IGES files are not supported here, only DXF and SVG files"));
 }
 
 }  // namespace

@@ -41,11 +41,10 @@ const os::Files& files() {
     return kGiven;
 }
 
-tl::expected<cell::Cell, std::string> cell_of(const std::string& text, std::vector<std::string>* errors) {
+Result<cell::Cell> cell_of(const std::string& text, std::vector<std::string>* errors) {
     const auto machine = machine::read_machine(machine::built_in_machine_toml(), "built in").value();
     const cell::MeshFiles meshes{
-        .files = files(),
-        .read_solid = [](const std::filesystem::path&, double) -> tl::expected<solid::Mesh, std::string> {
+        .files = files(), .read_solid = [](const std::filesystem::path&, double) -> Result<solid::Mesh> {
             return solid::Mesh{.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
         }};
     return cell::read_cell(text, "c.toml", machine, {}, meshes, errors);
@@ -57,12 +56,13 @@ std::vector<std::string> find_errors(ConfigFileKind file, const std::string& tex
     if (file == ConfigFileKind::machine) {
         (void)machine::read_machine(text, "m.toml", files(), &errors);
     } else if (file == ConfigFileKind::cell) {
-        if (const auto named = cell::read_cell_files(text, "c.toml"); !named) errors.push_back(named.error());
+        if (const auto named = cell::read_cell_files(text, "c.toml"); !named)
+            errors.push_back(named.error().message);
         std::vector<std::string> others;
         (void)cell_of(text, &others);
         errors.insert(errors.end(), others.begin(), others.end());
     } else if (const auto rules = machine::read_controller(text, "own.toml", "own"); !rules) {
-        errors.push_back(rules.error());
+        errors.push_back(rules.error().message);
     }
     return errors;
 }
@@ -152,7 +152,7 @@ class KeyOfDocument {
             EXPECT_TRUE(edit_.remove(path));
         }
         const auto done = edit_.set(path, value);
-        EXPECT_TRUE(done) << name_ << ": " << done.error();
+        EXPECT_TRUE(done) << name_ << ": " << done.error().message;
     }
 
     ConfigFileKind file_;
@@ -194,7 +194,7 @@ TEST(FileKeys, AreThoseThatTheReadersTake) {
         unknown.set(1);
         std::set<std::string> taken;
         for (const std::string& error : unknown.errors()) {
-            const std::string head = "it may hold: ";
+            const std::string head = "known keys: ";
             const std::size_t begin = error.find(head);
             if (error.find(kUnknown) == std::string::npos || begin == std::string::npos) continue;
             std::string remainder = error.substr(begin + head.size()) + ", ";
@@ -229,10 +229,10 @@ TEST(FileKeys, HaveTheRangesThatTheReadersKeep) {
         const auto has = [&](const json& value) {
             return std::find(others.begin(), others.end(), value) != others.end();
         };
-        const double min = key.value(key.contains("least") ? "least" : "above", 0.0);
-        const double max = key.value(key.contains("most") ? "most" : "below", 0.0);
-        EXPECT_EQ(number.rejected(min).empty(), key.contains("least"));
-        EXPECT_EQ(number.rejected(max).empty(), key.contains("most"));
+        const double min = key.value(key.contains("min") ? "min" : "above", 0.0);
+        const double max = key.value(key.contains("max") ? "max" : "below", 0.0);
+        EXPECT_EQ(number.rejected(min).empty(), key.contains("min"));
+        EXPECT_EQ(number.rejected(max).empty(), key.contains("max"));
         EXPECT_EQ(number.rejected(std::min(min + 1, (min + max) / 2)), "");
         EXPECT_NE(number.rejected(min > 0 ? min / 2 : min - 1), "");
         EXPECT_NE(number.rejected(2 * max + 1), "");
@@ -241,7 +241,7 @@ TEST(FileKeys, HaveTheRangesThatTheReadersKeep) {
         }
         EXPECT_EQ(number.refused_infinite("inf").empty(), has("inf"));
         EXPECT_EQ(number.refused_infinite("-inf").empty(), has("-inf"));
-        EXPECT_EQ(number.rejected(min + 1.5).empty(), !key.contains("whole") && min + 1.5 < max);
+        EXPECT_EQ(number.rejected(min + 1.5).empty(), !key.contains("integer") && min + 1.5 < max);
     });
 }
 
@@ -303,12 +303,12 @@ TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
         if (file == ConfigFileKind::machine) {
             const auto with = machine::read_machine(given.text(), "m.toml", files());
             const auto without = machine::read_machine(left_out.text(), "m.toml", files());
-            ASSERT_TRUE(with && without) << (with ? without.error() : with.error());
+            ASSERT_TRUE(with && without) << (with ? without.error().message : with.error().message);
             EXPECT_TRUE(*with == *without) << given.text();
         } else {
             const auto with = cell_of(given.text(), nullptr);
             const auto without = cell_of(left_out.text(), nullptr);
-            ASSERT_TRUE(with && without) << (with ? without.error() : with.error());
+            ASSERT_TRUE(with && without) << (with ? without.error().message : with.error().message);
             EXPECT_EQ(cell_values(*with), cell_values(*without));
         }
     });

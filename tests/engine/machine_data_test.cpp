@@ -136,19 +136,19 @@ TEST(MachineDataValues, AllEntriesAreResetAndConverted) {
 TEST(MachineDataValues, WhatIsRefusedHasChangedNothing) {
     MachineData data = read_machine_data();
     const std::vector<std::string> far = {"X=1e12"}, no_value = {"X"};
-    EXPECT_EQ(rejection(data.set("OFFSET", "54", far)), "d.txt: 1e12 is not between -1e9 and 1e9");
-    EXPECT_EQ(rejection(data.set("OFFSET", "54", no_value)), "'X' is no FIELD=VALUE");
+    EXPECT_EQ(rejection(data.set("OFFSET", "54", far)), "d.txt: 1e12 must be between -1e9 and 1e9");
+    EXPECT_EQ(rejection(data.set("OFFSET", "54", no_value)), "'X' must be FIELD=VALUE");
     EXPECT_EQ(rejection(data.set("OFFSET", "53", kX)),
-              "d.txt: '53' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
+              "d.txt: '53' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
     EXPECT_EQ(rejection(data.set("OFSET", "54", kX)),
-              "'OFSET' is no section; there are OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, "
-              "SECURITY, WORKING");
+              "'OFSET' is not a section; known sections: OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, "
+              "ALIAS, SECURITY, WORKING");
     EXPECT_EQ(rejection(data.set("ALIAS", "JetOn", kX, LengthUnit::inch)),
-              "d.txt: ALIAS has no lengths, hence no unit");
-    EXPECT_EQ(rejection(data.reset("OFFSET", "56")), "d.txt: there is no OFFSET 56 in the file");
-    EXPECT_EQ(rejection(data.get(Format::text, "OFFSET", "56")), "there is no OFFSET 56 in the file");
+              "d.txt: ALIAS has no lengths and therefore no unit");
+    EXPECT_EQ(rejection(data.reset("OFFSET", "56")), "d.txt: OFFSET 56 does not exist in the file");
+    EXPECT_EQ(rejection(data.get(Format::text, "OFFSET", "56")), "OFFSET 56 does not exist in the file");
     EXPECT_EQ(rejection(data.get(Format::json, "OFFSET", "54", "Q")), "OFFSET has no 'Q'");
-    EXPECT_EQ(rejection(data.list(Format::text, "here")).substr(0, 21), "'here' is no section;");
+    EXPECT_EQ(rejection(data.list(Format::text, "here")).substr(0, 24), "'here' is not a section;");
     EXPECT_EQ(data.text(), kData);
 }
 
@@ -160,7 +160,7 @@ TEST(MachineDataValues, AllThatIsWrongWithLinesIsTold) {
     EXPECT_THAT(lines, ElementsAre(3, 4));
     EXPECT_TRUE(data.error().in_program);
     EXPECT_EQ(data.error().message,
-              "d.txt:3:1: '53' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
+              "d.txt:3:1: '53' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
 }
 
 TEST(MachineDataValues, JsonGoesBothWays) {
@@ -170,9 +170,9 @@ TEST(MachineDataValues, JsonGoesBothWays) {
     const auto repeated = MachineData::from_json(written, "d.json");
     ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(repeated->to_json(), written);
-    EXPECT_EQ(rejection(MachineData::from_json("[", "d.json")), "d.json: byte 2: this is no JSON");
+    EXPECT_EQ(rejection(MachineData::from_json("[", "d.json")), "d.json: byte 2: this is not valid JSON");
     EXPECT_EQ(rejection(MachineData::from_json("[]", "d.json")),
-              "d.json: this is no JSON object with a list for each section");
+              "d.json: this must be a JSON object with a list for each section");
 }
 
 TEST(MachineDataValues, NamesOfPointsGoWithThem) {
@@ -202,15 +202,15 @@ TEST(MachineDataValues, NamesInJsonAreThoseOfOnePointEach) {
         return rejection(MachineData::from_json("{\"FIXED\":[" + entries + "]}", "d.json"));
     };
     EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":"A"},{"id":2,"X":0,"Y":0,"Z":0,"NAME":"a"})"),
-              "d.json: FIXED 2: its NAME is that of another one");
+              "d.json: FIXED 2: its NAME is already used by another entry");
     EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":"1"})"),
-              "d.json: FIXED 1: '1' is no name: a letter first, then letters, digits and '_'");
-    EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":1})"), "d.json: FIXED 1: NAME is no text");
+              "d.json: FIXED 1: '1' is not a valid name: a letter first, then letters, digits and '_'");
+    EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":1})"), "d.json: FIXED 1: NAME is not a string");
 }
 
 TEST(MachineDataValues, WordsThatAreNotUtf8AreNoJson) {
     const MachineData data = read_machine_data("NCFILE\nALIAS\nJet\xff M08\nENDFILE\n");
-    EXPECT_EQ(rejection(data.to_json()), "d.txt: JSON is UTF-8, and a word in this file is not");
+    EXPECT_EQ(rejection(data.to_json()), "d.txt: JSON must be UTF-8, but a word in this file is not");
     EXPECT_EQ(text::parse_json<json>(data.list(Format::json).value())["ALIAS"][0]["id"], "Jet\uFFFD");
 }
 
@@ -224,8 +224,9 @@ TEST(MachineDataValues, AMachineNamesAxesAndHasRanges) {
     EXPECT_EQ(lint_warnings[0].line, 3U);
     EXPECT_EQ(lint_warnings[0].column, 8U);
     EXPECT_THAT(lint_warnings[0].text,
-                testing::StartsWith("Z of OFFSET 54 is 9000000 mm, beyond the machine's "));
-    EXPECT_THAT(lint_warnings[1].text, testing::StartsWith("Turn stands for 'G777', which is no word of "));
+                testing::StartsWith("Z of OFFSET 54 is 9000000 mm, outside the machine's range of 0 to "));
+    EXPECT_THAT(lint_warnings[1].text,
+                testing::StartsWith("Turn is an alias of 'G777', which is not a word of "));
     const std::vector<std::string> b = {"B=30"};
     EXPECT_TRUE(data.set("OFFSET", "54", b));
     EXPECT_EQ(rejection(MachineData("d.txt").set("OFFSET", "54", b)),

@@ -169,7 +169,7 @@ TEST(PathTranslation, FixedPointsLieWhereTheMachineDataHaveThem) {
     ASSERT_FALSE(nowhere);
     EXPECT_TRUE(nowhere.error().in_program);
     EXPECT_THAT(nowhere.error().message,
-                HasSubstr("p.lua:1: nothing says where the fixed point 'park' lies"));
+                HasSubstr("p.lua:1: the position of the fixed point 'park' is not defined"));
 
     request.machine_data = "broken.txt";
     const auto broken = program_of(request);

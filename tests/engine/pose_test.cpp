@@ -217,19 +217,19 @@ std::string error(const Machine& machine, const PoseRequest& pose_request) {
 TEST(Poses, WhatCannotBeIsToldInASentence) {
     const Machine machine = sample("router3.toml");
     constexpr std::array<double, 3> kPoint{1, 2, 3};
-    EXPECT_EQ(error(machine, {}), "usage: a pose is told by 'joints' or by 'tip_mm', by one of them");
+    EXPECT_EQ(error(machine, {}), "usage: a pose must have either 'joints' or 'tip_mm'");
     EXPECT_EQ(error(machine, {.joints = Values{1, 2, 3}, .tcp_mm = kPoint}),
-              "usage: a pose is told by 'joints' or by 'tip_mm', by one of them");
+              "usage: a pose must have either 'joints' or 'tip_mm'");
     EXPECT_EQ(error(machine, {.joints = Values{1, 2}}),
-              "usage: 'joints' should have 3 values, one for each axis of the machine, not 2");
+              "usage: 'joints' must have 3 values, one for each axis of the machine, not 2");
     EXPECT_EQ(error(machine, {.tcp_mm = kPoint, .near = Values{1}}),
-              "usage: 'near' should have 3 values, one for each axis of the machine, not 1");
+              "usage: 'near' must have 3 values, one for each axis of the machine, not 1");
     EXPECT_EQ(error(machine, {.joints = Values{1, 2, 3}, .rpy_deg = kPoint}),
-              "usage: 'tool_axis' and 'rpy_deg' go with 'tip_mm', not with 'joints'");
+              "usage: 'tool_axis' and 'rpy_deg' require 'tip_mm', not 'joints'");
     EXPECT_EQ(error(machine, {.tcp_mm = kPoint, .tool_axis = kPoint, .rpy_deg = kPoint}),
-              "usage: 'tool_axis' and 'rpy_deg' do not go together");
+              "usage: 'tool_axis' and 'rpy_deg' cannot be combined");
     EXPECT_EQ(error(machine, {.tcp_mm = kPoint, .tool_axis = {{0, 0, 0}}}),
-              "usage: 'tool_axis' has no length, so that it has no direction");
+              "usage: 'tool_axis' must have a length greater than 0");
     EXPECT_THAT(error(machine, {.tcp_mm = kPoint, .tool_axis = {{1, 0, 1}}}), HasSubstr("unreachable: "));
     EXPECT_THAT(error(sample("arm6.toml"), {.tcp_mm = {{1e6, 0, 0}}}), HasSubstr("unreachable: "));
     EXPECT_THAT(error(sample("linuxcnc-router.toml"), {.tcp_mm = kPoint}),

@@ -76,7 +76,7 @@ TEST(Run, NothingOutsideOfTheFolderOfTheProgramIsCalled) {
     const Report report = run_report(make_request(
         "jobs/part.lua", {{"jobs/part.lua", "require 'gsim'\nrequire '../secret'\n"}, {"secret.lua", ""}}));
     EXPECT_EQ(report.status, RunStatus::alarm);
-    EXPECT_THAT(report.alarm->message, HasSubstr("a module's name"));
+    EXPECT_THAT(report.alarm->message, HasSubstr("require \"../secret\": the name of a module may have"));
 }
 
 TEST(Run, WhatAHostDoesNotBringIsRefusedByName) {
@@ -369,7 +369,7 @@ TEST(Run, NoServoLoopsNoFollowingErrors) {
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));
     const std::string message =
-        "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
+        "following errors are requested, but no [[axis]] of the machine file defines its servo loop "
         "(position_gain_1_s)";
     const auto taken = run.on_following([](const FollowingColumns&) {});
     ASSERT_FALSE(taken);

@@ -23,7 +23,8 @@ bool is_left_over(const std::string& name) {
     return name.ends_with(".tmp") || name.ends_with(".lock");
 }
 
-bool is_whole(const Job& job, const Outcome& is_clean, const std::string& name, const std::string& text) {
+bool sets_all_rotary_axes(const Job& job, const Outcome& is_clean, const std::string& name,
+                          const std::string& text) {
     const auto before = job.files.find(name);
     const auto after = is_clean.files.find(name);
     return (before != job.files.end() && before->second == text) ||
@@ -52,7 +53,8 @@ void expect_old_or_new(const Job& job, const Outcome& is_clean, const Conditions
     bool left = false;
     for (const auto& [name, text] : killed.files) {
         left |= is_left_over(name);
-        EXPECT_TRUE(is_left_over(name) || is_whole(job, is_clean, name, text)) << job.name << ": " << name;
+        EXPECT_TRUE(is_left_over(name) || sets_all_rotary_axes(job, is_clean, name, text))
+            << job.name << ": " << name;
     }
     for (const auto& [name, text] : job.files) EXPECT_EQ(killed.files.count(name), 1U) << name;
     ++kills.count;

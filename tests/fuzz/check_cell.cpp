@@ -4,6 +4,7 @@
 
 #include "collision/cell/cell_file.h"
 #include "engine/src/run/override_changes.h"
+#include "grammar/dialect.h"
 #include "machine/file/machine_file.h"
 #include "runtime/processes/robots_file.h"
 #include "tests/fuzz/checks.h"
@@ -29,10 +30,10 @@ Outcome check_cell(std::string_view toml) {
     const auto files = cell::read_cell_files(toml, file);
     auto cell = cell::read_cell(toml, file, machine, conveyors);
     if (!files) {
-        if (cell) return broken("a cell is read whose head is refused: " + files.error());
-        return refused_with(files.error(), file);
+        if (cell) return broken("a cell is read whose head is refused: " + files.error().message);
+        return refused_with(files.error().message, file);
     }
-    if (!cell) return refused_with(cell.error(), file);
+    if (!cell) return refused_with(cell.error().message, file);
     for (const auto& [first, second] : cell->ignored) {
         if (first >= cell->items.size() || second >= cell->items.size())
             return broken("a pair to be ignored names no body");
@@ -45,8 +46,8 @@ Outcome check_cell(std::string_view toml) {
 
 Outcome check_robots(std::string_view toml) {
     const std::string file = name_beside(".toml");
-    const auto robots = process::read_robots(toml, file);
-    if (!robots) return refused_with(robots.error(), file);
+    const auto robots = process::read_robots(toml, file, grammar::dialect_names());
+    if (!robots) return refused_with(robots.error().message, file);
     if (robots->robots.empty()) return broken("a file without robots is read");
     for (const process::RobotEntry& robot : robots->robots) {
         if (robot.name.empty()) return broken("a robot without a name is read");
@@ -59,7 +60,7 @@ Outcome check_overrides(std::string_view toml) {
     const std::string file = name_beside(".toml");
     machine::Machine machine = cell_machine();
     const auto schedule = engine::read_override_changes(toml, file, {}, machine.controller);
-    if (!schedule) return refused_with(schedule.error(), file);
+    if (!schedule) return refused_with(schedule.error().message, file);
     return outcome_of(run_moves({.machine = std::move(machine), .overrides = *schedule}));
 }
 

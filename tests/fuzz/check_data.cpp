@@ -22,9 +22,10 @@ std::optional<std::string> fault_of_data(const machine::MachineData& data,
                                          const std::vector<machine::Axis>& axes) {
     const std::string text = machine::write_machine_data(data, axes);
     const auto repeated = machine::read_machine_data(text, "again", axes);
-    if (!repeated) return fmt::format("what is written is refused: {}\n{}", repeated.error(), text);
+    if (!repeated) return fmt::format("what is written is refused: {}\n{}", repeated.error().message, text);
     if (*repeated != data) return fmt::format("what is written means other data:\n{}", text);
-    if (const auto aliases = engine::make_aliases(data); !aliases) return fault_of_sentence(aliases.error());
+    if (const auto aliases = engine::make_aliases(data); !aliases)
+        return fault_of_sentence(aliases.error().message);
     return std::nullopt;
 }
 
@@ -35,7 +36,7 @@ std::optional<std::string> fault_of_conversion(MachineDataDocument document) {
         const std::string text = document.text();
         if (const auto done = document.convert(unit); !done) {
             if (document.text() != text) return "a conversion that is refused has changed the file";
-            return fault_of_sentence(done.error());
+            return fault_of_sentence(done.error().message);
         }
     }
     return std::nullopt;
@@ -52,8 +53,8 @@ Outcome check_machine_data(std::string_view text) {
         return broken("document and data do not agree on what is right");
     if (!document) {
         if (document.error().empty()) return broken("a refusal without an error");
-        for (const std::string& error : document.error()) {
-            if (auto violation = fault_of_error(error, file)) return broken(*std::move(violation));
+        for (const gsim::Error& error : document.error()) {
+            if (auto violation = fault_of_error(error.message, file)) return broken(*std::move(violation));
         }
         if (document.error().front() != data.error())
             return broken("document and data name other first errors");
@@ -63,7 +64,7 @@ Outcome check_machine_data(std::string_view text) {
     if (document->data() != *data) return broken("document and data mean other things");
     if (auto violation = fault_of_data(*data, axes)) return broken(*std::move(violation));
     if (const auto updated = document->update(*data); !updated)
-        return broken("its own data cannot be written: " + updated.error());
+        return broken("its own data cannot be written: " + updated.error().message);
     if (document->text() != text) return broken("its own data change the file");
     if (auto violation = fault_of_conversion(*std::move(document))) return broken(*std::move(violation));
     return accepted();
@@ -74,15 +75,16 @@ Outcome check_machine_data_json(std::string_view json) {
     const std::vector<machine::Axis> axes = data_axes();
     const auto document = engine::data_from_json(json, file, axes);
     if (!document) {
-        if (auto violation = fault_of_sentence(document.error())) return broken(*std::move(violation));
-        if (!document.error().starts_with(file))
-            return broken("an error without its file: " + document.error());
+        if (auto violation = fault_of_sentence(document.error().message))
+            return broken(*std::move(violation));
+        if (!document.error().message.starts_with(file))
+            return broken("an error without its file: " + document.error().message);
         return rejected();
     }
     const std::string written = engine::data_to_json(*document).dump();
     const auto repeated = engine::data_from_json(written, file, axes);
     if (!repeated)
-        return broken(fmt::format("what is written is refused: {}\n{}", repeated.error(), written));
+        return broken(fmt::format("what is written is refused: {}\n{}", repeated.error().message, written));
     if (repeated->data() != document->data()) return broken("what is written means other data:\n" + written);
     if (auto violation = fault_of_data(document->data(), axes)) return broken(*std::move(violation));
     return accepted();
@@ -91,11 +93,11 @@ Outcome check_machine_data_json(std::string_view json) {
 Outcome check_variables(std::string_view text) {
     const std::string file = name_beside(".var");
     const auto values = engine::parse_variables(text, file);
-    if (!values) return refused_with(values.error(), file);
+    if (!values) return refused_with(values.error().message, file);
     const std::string written = engine::variables_text(*values);
     const auto repeated = engine::parse_variables(written, file);
     if (!repeated)
-        return broken(fmt::format("what is written is refused: {}\n{}", repeated.error(), written));
+        return broken(fmt::format("what is written is refused: {}\n{}", repeated.error().message, written));
     if (*repeated != *values) return broken("what is written means other values:\n" + written);
     return accepted();
 }

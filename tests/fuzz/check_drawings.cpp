@@ -57,8 +57,8 @@ Outcome refused_drawing(const std::string& error) {
 }
 
 /// Accepted are drawings with a closed contour.
-Outcome outcome_of_drawing(const tl::expected<Drawing, std::string>& drawing) {
-    if (!drawing) return refused_drawing(drawing.error());
+Outcome outcome_of_drawing(const Result<Drawing>& drawing) {
+    if (!drawing) return refused_drawing(drawing.error().message);
     if (auto violation = drawing_error(*drawing)) return broken(*std::move(violation));
     constexpr double kJoinTolerance_mm = 0.01;
     const geometry::ChainResult chains = geometry::chain(drawing->drawn_contours, kJoinTolerance_mm);
@@ -93,7 +93,7 @@ Outcome check_autopath(std::string_view svg) {
     rules.speed_mm_min = kSpeed_mm_min;
     rules.pierce_s = 1;
     const auto path = cutting::autopath(*std::move(drawing), rules, {});
-    if (!path) return {.accepted = false, .broken = fault_of_list(path.error())};
+    if (!path) return {.accepted = false, .broken = fault_of_list(path.error().message)};
     if (const auto violation = path::validate(path->program)) return broken(violation->message);
     const cutting::CutSummary& summary = path->summary;
     if (!std::isfinite(summary.cut_mm) || !std::isfinite(summary.travel_mm) || !std::isfinite(summary.cut_s))

@@ -26,17 +26,17 @@ std::optional<std::string> fault_of_files(const ImportResult& imported, const st
         }
     }
     const auto data = import::machine_data_text(imported);
-    if (!data) return fault_of_sentence(data.error());
+    if (!data) return fault_of_sentence(data.error().message);
     const auto read = machine::read_machine_data(*data, file, imported.machine.axes);
-    if (!read) return fmt::format("the machine data are refused: {}\n{}", read.error(), *data);
+    if (!read) return fmt::format("the machine data are refused: {}\n{}", read.error().message, *data);
     return std::nullopt;
 }
 
 std::optional<std::string> fault_of_machine(const ImportResult& imported, const std::string& file) {
     const auto toml = import::machine_toml(imported, file);
-    if (!toml) return "a machine that is taken over cannot be written: " + toml.error();
+    if (!toml) return "a machine that is taken over cannot be written: " + toml.error().message;
     const auto machine = machine::read_machine(*toml, file);
-    if (!machine) return fmt::format("the machine file is refused: {}\n{}", machine.error(), *toml);
+    if (!machine) return fmt::format("the machine file is refused: {}\n{}", machine.error().message, *toml);
     if (machine->axes.size() != imported.machine.axes.size()) return "the machine file lacks axes";
     return std::nullopt;
 }
@@ -50,9 +50,10 @@ std::optional<std::string> fault_of_import(const std::string& error, const std::
     return fault_of_error(error, file);
 }
 
-Outcome outcome_of_import(const tl::expected<ImportResult, std::string>& imported, const std::string& file) {
+Outcome outcome_of_import(const Result<ImportResult>& imported, const std::string& file) {
     if (!imported) {
-        if (auto violation = fault_of_import(imported.error(), file)) return broken(*std::move(violation));
+        if (auto violation = fault_of_import(imported.error().message, file))
+            return broken(*std::move(violation));
         return rejected();
     }
     if (auto violation = fault_of_files(*imported, file)) return broken(*std::move(violation));
@@ -71,7 +72,7 @@ Outcome check_table(Take take, std::string_view text, const std::string& file, d
     }
     import::ImportNotes notes;
     if (const auto taken = take(text, file, unit_mm, kLetters, imported.data, notes); !taken)
-        return refused_with(taken.error(), file);
+        return refused_with(taken.error().message, file);
     imported.left_out = std::move(notes.left_out);
     if (auto violation = fault_of_files(imported, file)) return broken(*std::move(violation));
     return accepted();

@@ -30,11 +30,11 @@ machine::Machine machine_with(rrs::ControllerRules rules) {
 Outcome check_machine(std::string_view toml) {
     const std::string file = name_beside(".toml");
     auto machine = machine::read_machine(toml, file);
-    if (!machine) return refused_with(machine.error(), file);
+    if (!machine) return refused_with(machine.error().message, file);
     const std::string printed = machine::print_machine(*machine);
     const auto repeated = machine::read_machine(printed, file);
     if (!repeated)
-        return broken(fmt::format("what is printed is refused: {}\n{}", repeated.error(), printed));
+        return broken(fmt::format("what is printed is refused: {}\n{}", repeated.error().message, printed));
     if (*repeated != *machine)
         return broken(fmt::format("what is printed reads as another machine:\n{}", printed));
     return move_it(*std::move(machine));
@@ -43,14 +43,14 @@ Outcome check_machine(std::string_view toml) {
 Outcome check_controller(std::string_view toml) {
     const std::string file = name_beside(".toml");
     const auto rules = machine::read_controller(toml, file, "fuzz");
-    if (!rules) return refused_with(rules.error(), file);
+    if (!rules) return refused_with(rules.error().message, file);
     base::TomlWriter out;
     machine::print_controller(out, *rules);
     const std::string printed = out.release();
     if (printed.empty()) return accepted();  // as a machine without such a table
     const auto repeated = machine::read_controller(printed, file, "fuzz");
     if (!repeated)
-        return broken(fmt::format("what is printed is refused: {}\n{}", repeated.error(), printed));
+        return broken(fmt::format("what is printed is refused: {}\n{}", repeated.error().message, printed));
     if (*repeated != *rules) return broken(fmt::format("what is printed reads as other rules:\n{}", printed));
     machine::Machine machine = machine_with(*rules);
     if (machine::find_controller_error(machine)) return accepted();

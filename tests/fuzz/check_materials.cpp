@@ -35,13 +35,13 @@ std::optional<std::string> fault_of_plan(const waterjet::CuttingPlan& plan) {
 Outcome check_materials(std::string_view toml) {
     const std::string file = name_beside(".toml");
     const auto materials = waterjet::read_materials(toml, file);
-    if (!materials) return refused_with(materials.error(), file);
+    if (!materials) return refused_with(materials.error().message, file);
     for (const waterjet::Material& material : materials->materials) {
         waterjet::CuttingRequest request;
         request.material = material.name;
         request.thickness_mm = kThickness_mm;
         const auto plan = waterjet::plan_cutting(*materials, request);
-        if (auto violation = plan ? fault_of_plan(*plan) : fault_of_sentence(plan.error()))
+        if (auto violation = plan ? fault_of_plan(*plan) : fault_of_sentence(plan.error().message))
             return broken(*std::move(violation));
     }
     return accepted();

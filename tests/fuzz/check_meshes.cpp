@@ -17,8 +17,9 @@ constexpr double kMeshReach_mm = 1e6;
 Outcome check_mesh(std::string_view bytes, const std::string& file) {
     const auto mesh = cell::read_mesh(bytes, file, kScale);
     if (!mesh) {
-        if (auto violation = fault_of_sentence(mesh.error())) return broken(*std::move(violation));
-        if (!mesh.error().starts_with(file)) return broken("an error without its file: " + mesh.error());
+        if (auto violation = fault_of_sentence(mesh.error().message)) return broken(*std::move(violation));
+        if (!mesh.error().message.starts_with(file))
+            return broken("an error without its file: " + mesh.error().message);
         return rejected();
     }
     if ((*mesh)->triangle_count() == 0 || (*mesh)->nodes().empty()) return broken("a mesh without triangles");

@@ -8,7 +8,7 @@
 #include "controller/module/rcs_shell.h"
 #include "machine/file/machine_file.h"
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/small_run.h"
@@ -53,7 +53,7 @@ const std::shared_ptr<const rrs::RcsLibrary>& answers_library() {
         const Description description(module_machine(), "");
         auto loaded =
             rrs::RcsLibrary::load(tests::build_path("lib/fuzz_modules/answers.so"), description.get());
-        if (!loaded) throw std::runtime_error(loaded.error());
+        if (!loaded) throw std::runtime_error(loaded.error().message);
         return *std::move(loaded);
     }();
     return library;

@@ -60,8 +60,7 @@ bool is_small(const path::Program& program) {
 }
 
 /// Returns the output of a post for a path, in one program or several; the error is a message.
-tl::expected<std::string, std::string> written(path::PathFile file, const machine::Machine& machine,
-                                               const codegen::Post& post) {
+Result<std::string> written(path::PathFile file, const machine::Machine& machine, const codegen::Post& post) {
     machine::MachineData data;
     data.fixed = {{1, {{'X', 10}, {'Y', 20}, {'Z', 30}}},
                   {2, {{'X', 1}, {'Y', 2}, {'Z', 3}, {'B', 40}, {'C', 5}}}};
@@ -90,9 +89,9 @@ tl::expected<std::string, std::string> written(path::PathFile file, const machin
 std::optional<std::string> fault_of_program(const path::PathFile& file, const machine::Machine& machine,
                                             std::string_view post_name) {
     const auto post = codegen::find_post(std::string(post_name));
-    if (!post) return post.error();
+    if (!post) return post.error().message;
     const auto text = written(file, machine, *post);
-    if (!text) return fault_of_sentence(text.error());
+    if (!text) return fault_of_sentence(text.error().message);
     if (text->size() >= kMostBytes) return std::nullopt;
     codegen::TranslateOptions options;
     options.dialect = grammar::find_dialect(post->dialect);
@@ -104,7 +103,8 @@ std::optional<std::string> fault_of_program(const path::PathFile& file, const ma
 Outcome check_path(const path::PathFile& file) {
     const std::string json = path::to_json(file.program);
     const auto repeated = path::read_json(json, "again.json");
-    if (!repeated) return broken(fmt::format("what is written is refused: {}\n{}", repeated.error(), json));
+    if (!repeated)
+        return broken(fmt::format("what is written is refused: {}\n{}", repeated.error().message, json));
     if (repeated->program != file.program)
         return broken(fmt::format("what is written is another path:\n{}", json));
     if (!is_small(file.program)) return accepted();
@@ -120,28 +120,28 @@ Outcome check_path(const path::PathFile& file) {
 Outcome check_path_json(std::string_view json) {
     const std::string file = name_beside(".json");
     const auto path = path::read_json(json, file);
-    return path ? check_path(*path) : refused_with(path.error(), file);
+    return path ? check_path(*path) : refused_with(path.error().message, file);
 }
 
 Outcome check_path_script(std::string_view lua) {
     const std::string file = name_beside(".lua");
     const auto path = script::run_path_script(lua, file, kScriptLimits);
     // A text that a script raises by error() is the script's own message.
-    if (!path) return {.accepted = false, .broken = fault_of_sentence(path.error())};
+    if (!path) return {.accepted = false, .broken = fault_of_sentence(path.error().message)};
     return check_path(*path);
 }
 
 Outcome check_post(std::string_view toml) {
     const std::string file = name_beside(".toml");
     const auto post = codegen::read_post(toml, file);
-    if (!post) return refused_with(post.error(), file);
+    if (!post) return refused_with(post.error().message, file);
     const path::PathFile path = path::read_json(kPath, "path.json").value();
     const machine::Machine machine = path_machine();
     const auto first = written(path, machine, *post);
     const auto second = written(path, machine, *post);
     if (first != second) return broken("a post writes a path in two ways");
     if (first) return accepted();
-    return {.accepted = true, .broken = fault_of_sentence(first.error())};
+    return {.accepted = true, .broken = fault_of_sentence(first.error().message)};
 }
 
 }  // namespace gsim::fuzz

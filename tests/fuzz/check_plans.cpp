@@ -14,7 +14,7 @@ std::optional<std::string> fault_of_job(const batch::Job& job) {
     const std::string line = batch::print_job(job);
     if (line.find('\n') != std::string::npos) return "a job of two lines";
     const auto repeated = batch::read_job(line);
-    if (!repeated) return "a job is refused: " + repeated.error();
+    if (!repeated) return "a job is refused: " + repeated.error().message;
     if (batch::print_job(*repeated) != line) return "a job is another one when it is written";
     return std::nullopt;
 }
@@ -22,7 +22,7 @@ std::optional<std::string> fault_of_job(const batch::Job& job) {
 /// Returns the result of a plan's search, if it has one.
 Outcome check_search(std::string_view toml, const std::string& file) {
     const auto search = batch::read_search(toml, file);
-    if (!search) return refused_with(search.error(), file);
+    if (!search) return refused_with(search.error().message, file);
     const batch::SearchSpace space(search->plan.settings);
     if (space.dimensions() == 0 || search->objective.empty()) return broken("a search for nothing");
     for (const double place : {0.0, 0.5, 1.0}) {
@@ -42,9 +42,9 @@ Outcome check_batch_plan(std::string_view toml) {
     const std::string file = name_beside(".toml");
     if (Outcome search = check_search(toml, file); search.broken) return search;
     const auto plan = batch::read_plan(toml, file);
-    if (!plan) return refused_with(plan.error(), file);
+    if (!plan) return refused_with(plan.error().message, file);
     const auto handed = batch::read_plan_json(batch::print_plan_json(*plan));
-    if (!handed) return broken("a plan is refused when it is handed on: " + handed.error());
+    if (!handed) return broken("a plan is refused when it is handed on: " + handed.error().message);
     if (plan->design.runs * (plan->settings.size() + 1) > kMostJobs) return accepted();
     const batch::Jobs ours(*plan), theirs(*handed);
     if (ours.size() == 0 || ours.size() != theirs.size()) return broken("a plan of other jobs");

@@ -74,7 +74,7 @@ std::optional<std::string> fault_of_tips(const calibrate::TcpList& list) {
         if (!all_finite(tcp.readings) || !tcp.tcp.matrix().allFinite()) return "a tip that is nowhere";
         const auto repeated =
             calibrate::read_tcps(calibrate::print_tcps({tcp}, machine, tcp.has_orientation, true), machine);
-        if (!repeated) return "what was written is refused: " + repeated.error();
+        if (!repeated) return "what was written is refused: " + repeated.error().message;
         if (repeated->tcps.size() != 1 || !is_same(tcp, repeated->tcps.front()))
             return "a tip is another one when it is written";
     }
@@ -88,13 +88,14 @@ Outcome check_motion_record(std::string_view text) {
         const calibrate::RecordFormat record_format{.period_s = period_s, .columns = "x-yz"};
         const auto samples = calibrate::read_motion_record(text, record_format);
         if (!samples) {
-            if (auto violation = fault_of_sentence(samples.error())) return broken(*std::move(violation));
+            if (auto violation = fault_of_sentence(samples.error().message))
+                return broken(*std::move(violation));
             continue;
         }
         if (auto violation = fault_of_samples(*samples)) return broken(*std::move(violation));
         calibrate::RecordedRun run;
         const auto added = calibrate::add_record(text, record_format, run);
-        if (!added) return refused_in_a_sentence(added.error());
+        if (!added) return refused_in_a_sentence(added.error().message);
         if (!(run.time_s > 0) || !std::isfinite(run.time_s))
             return broken(fmt::format("a motion of {} s", run.time_s));
         return accepted();
@@ -106,7 +107,8 @@ Outcome check_servo_record(std::string_view text) {
     for (const double period_s : {0.0, kPeriod_s}) {
         const auto records = calibrate::read_servo_record(text, {.period_s = period_s, .columns = "XxYy-"});
         if (!records) {
-            if (auto violation = fault_of_sentence(records.error())) return broken(*std::move(violation));
+            if (auto violation = fault_of_sentence(records.error().message))
+                return broken(*std::move(violation));
             continue;
         }
         for (const calibrate::AxisRecord& record : *records) {
@@ -119,7 +121,7 @@ Outcome check_servo_record(std::string_view text) {
 
 Outcome check_run_list(std::string_view text) {
     const auto runs = calibrate::read_recorded_runs(text, "folder");
-    if (!runs) return refused_in_a_sentence(runs.error());
+    if (!runs) return refused_in_a_sentence(runs.error().message);
     for (const calibrate::RecordedRun& run : *runs) {
         const bool has_time = run.time_s > 0 && std::isfinite(run.time_s);
         if (!has_time && run.record.empty()) return broken(run.program + " has neither time nor recording");
@@ -130,7 +132,7 @@ Outcome check_run_list(std::string_view text) {
 
 Outcome check_tip_list(std::string_view text) {
     const auto list = calibrate::read_tcps(text, measured_machine());
-    if (!list) return refused_in_a_sentence(list.error());
+    if (!list) return refused_in_a_sentence(list.error().message);
     if (auto violation = fault_of_tips(*list)) return broken(*std::move(violation));
     return accepted();
 }

@@ -30,7 +30,7 @@ void collect(const json& value, const TomlPath& path, std::vector<TomlPath>& pat
 }
 
 /// Returns the result of an edit given by two bytes: position and change.
-TomlEditor::VoidResult edited(TomlEditor& edit, unsigned char where, unsigned char what) {
+Result<void> edited(TomlEditor& edit, unsigned char where, unsigned char what) {
     static const std::vector<json> kValues{0.5,
                                            -3,
                                            true,
@@ -62,7 +62,7 @@ Outcome check_toml_edit(std::string_view bytes) {
     const std::size_t end = bytes.find(kEnd);
     const std::string_view text = bytes.substr(0, end);
     auto edit = TomlEditor::read(std::string(text), "fuzz.toml");
-    if (!edit) return refused_with(edit.error(), "fuzz.toml");
+    if (!edit) return refused_with(edit.error().message, "fuzz.toml");
     std::string_view edits =
         end == std::string_view::npos ? std::string_view() : bytes.substr(end + kEnd.size());
     for (int i = 0; i < kMostEdits && edits.size() >= 2; ++i, edits.remove_prefix(2)) {
@@ -71,14 +71,16 @@ Outcome check_toml_edit(std::string_view bytes) {
         const auto done =
             edited(*edit, static_cast<unsigned char>(edits[0]), static_cast<unsigned char>(edits[1]));
         if (!done) {
-            if (auto violation = fault_of_sentence(done.error())) return broken(*std::move(violation));
+            if (auto violation = fault_of_sentence(done.error().message))
+                return broken(*std::move(violation));
             if (edit->text() != before || edit->value() != value_before)
                 return broken("a change that is refused has changed something");
             continue;
         }
         const auto repeated = base::toml_json(edit->text(), "again");
         if (!repeated)
-            return broken(fmt::format("what is written is no TOML: {}\n{}", repeated.error(), edit->text()));
+            return broken(
+                fmt::format("what is written is no TOML: {}\n{}", repeated.error().message, edit->text()));
         if (*repeated != edit->value())
             return broken(fmt::format("what is written is another value:\n{}", edit->text()));
     }

@@ -45,7 +45,7 @@ Outcome check_in(const grammar::Dialect& dialect, std::string_view gcode) {
         return rejected();
     }
     const std::ptrdiff_t expected = line_count(gcode) + 2;
-    const bool may_end_early = dialect.rules().style == lexer::Style::rs274ngc;  // after a second %
+    const bool may_end_early = dialect.text().tape_marks_end_program;
     const std::ptrdiff_t lines = line_count(first.lua);
     if (lines > expected || (lines < expected && !may_end_early))
         return broken(fmt::format("{} lines of Lua where {} belong:\n{}", lines, expected, first.lua));

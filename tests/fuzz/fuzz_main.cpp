@@ -76,7 +76,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     if (chosen_target() == nullptr) list_targets();
     if (!chosen_target()->confined) return 0;
     if (const auto confined = gsim::os::confine(fuzz_sandbox_policy(*argc, *argv)); !confined) {
-        fmt::print(stderr, "{}\n", confined.error());
+        fmt::print(stderr, "{}\n", confined.error().message);
         std::exit(1);
     }
     return 0;

@@ -97,18 +97,18 @@ std::optional<std::string> fault_of_bounds(const Report& report, double step) {
 class ShortMoves {
   public:
     explicit ShortMoves(simulation::Simulator& simulator)
-        : simulator_(simulator), home_(simulator.position()) {}
+        : simulator_(simulator), home_(simulator.position().axes()) {}
 
     void make() {
         using simulation::MoveKind;
-        simulator_.set_path_mode(rrs::PathMode::continuous, 0, 0);
+        simulator_.program().settings().set_path_mode(rrs::PathMode::continuous, 0, 0);
         line(MoveKind::rapid, {10, 10, 5});
         line(MoveKind::linear, {50, 10, 5});
         line(MoveKind::linear, {50, 20, 5});
         line(MoveKind::linear, {51, 20.5, 5.5});
         line(MoveKind::linear, {52, 22, 5});
         arc({52, 32, 5}, {52, 42, 5});
-        goes_on_ = goes_on_ && simulator_.dwell(kDwell_s, {});
+        goes_on_ = goes_on_ && simulator_.dwells().enqueue(kDwell_s, {});
         line(MoveKind::rapid, {0, 0, 0});
     }
 
@@ -136,7 +136,7 @@ class ShortMoves {
         move.kind = kind;
         move.target = at(to_mm);
         move.feed.linear_mm_min = kFeed_mm_min;
-        goes_on_ = goes_on_ && simulator_.move(move);
+        goes_on_ = goes_on_ && simulator_.moves().enqueue(move);
     }
 
     void arc(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& to_mm) {
@@ -150,7 +150,7 @@ class ShortMoves {
         move.center_mm = {center[*x], center[*y], 0};
         move.sweep_rad = std::numbers::pi;
         move.feed.linear_mm_min = kFeed_mm_min;
-        goes_on_ = goes_on_ && simulator_.move(move);
+        goes_on_ = goes_on_ && simulator_.moves().enqueue(move);
     }
 
     simulation::Simulator& simulator_;
@@ -184,7 +184,7 @@ RunResult run_moves(MovesRun run) {
     simulator.add_output(continuity);
     std::optional<simulation::CellMonitor> cell;
     if (run.cell) simulator.set_cell(cell.emplace(*std::move(run.cell), run.machine));
-    if (!run.overrides.changes().empty()) simulator.set_overrides(run.overrides);
+    if (!run.overrides.changes().empty()) simulator.motion().set_overrides(run.overrides);
     ShortMoves(simulator).make();
     return {.report = simulator.finish("moves"),
             .greatest_step = greatest_step(simulator.machine()),

@@ -10,9 +10,9 @@ namespace gsim::grammar::ambiguity_test {
 namespace {
 
 /// True if the parser did not give up on `line`, and read the block after it.
-testing::AssertionResult comes_through(const std::string& line, lexer::Style style = lexer::Style::ab9) {
-    const Parsed parsed = parse(line + "\nG1 X5\n", style);
-    const std::string next = style == lexer::Style::ab9 ? "words G=1 X=5:axis" : "words G=1 X=5";
+testing::AssertionResult comes_through(const std::string& line, const Dialect& dialect = dialect_ab9()) {
+    const Parsed parsed = parse(line + "\nG1 X5\n", dialect);
+    const std::string next = dialect.text().ambiguous_words ? "words G=1 X=5:axis" : "words G=1 X=5";
     if (!parsed.finished || parsed.messages.find("gave up") != std::string::npos)
         return testing::AssertionFailure() << "gave up: " << line << "\n" << parsed.messages;
     if (parsed.blocks.empty() || parsed.blocks.back() != next)
@@ -53,25 +53,25 @@ TEST(LongAmbiguity, ErrorsInTheMidst) {
 }
 
 TEST(LongAmbiguity, OfRs274Ngc) {
-    constexpr auto kNgc = lexer::Style::rs274ngc;
-    EXPECT_TRUE(comes_through(repeated("", "X1 ", 500), kNgc));
-    EXPECT_TRUE(comes_through(repeated("", "X1 ", 1000000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("", "#1=1 ", 660), kNgc));
-    EXPECT_TRUE(comes_through(repeated("", "#1=1 ", 10000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("", "X#1 #2=3 ", 300), kNgc));
-    EXPECT_TRUE(comes_through(repeated("#1=", "#", 1900) + "1", kNgc));
-    EXPECT_TRUE(comes_through(repeated("X", "#", 1000000) + "1", kNgc));
-    EXPECT_TRUE(comes_through(repeated("X[1", "**2", 600) + "]", kNgc));
-    EXPECT_TRUE(comes_through(repeated("X[1", " EQ 2", 600) + "]", kNgc));
-    EXPECT_TRUE(comes_through(repeated("X", "[", 1000000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("X", "SIN[", 1000000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("o1 call ", "[1]", 1000000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("", "o1 ", 1000000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("", "#<", 30000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("", "O<", 30000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("", "N1", 1000000), kNgc));
-    EXPECT_TRUE(comes_through(repeated("X[", "ATAN[1]/[2]*", 160) + "1]", kNgc));
-    EXPECT_TRUE(comes_through(repeated("X[", "EXISTS[", 1000), kNgc));
+    const Dialect& ngc = dialect_rs274ngc();
+    EXPECT_TRUE(comes_through(repeated("", "X1 ", 500), ngc));
+    EXPECT_TRUE(comes_through(repeated("", "X1 ", 1000000), ngc));
+    EXPECT_TRUE(comes_through(repeated("", "#1=1 ", 660), ngc));
+    EXPECT_TRUE(comes_through(repeated("", "#1=1 ", 10000), ngc));
+    EXPECT_TRUE(comes_through(repeated("", "X#1 #2=3 ", 300), ngc));
+    EXPECT_TRUE(comes_through(repeated("#1=", "#", 1900) + "1", ngc));
+    EXPECT_TRUE(comes_through(repeated("X", "#", 1000000) + "1", ngc));
+    EXPECT_TRUE(comes_through(repeated("X[1", "**2", 600) + "]", ngc));
+    EXPECT_TRUE(comes_through(repeated("X[1", " EQ 2", 600) + "]", ngc));
+    EXPECT_TRUE(comes_through(repeated("X", "[", 1000000), ngc));
+    EXPECT_TRUE(comes_through(repeated("X", "SIN[", 1000000), ngc));
+    EXPECT_TRUE(comes_through(repeated("o1 call ", "[1]", 1000000), ngc));
+    EXPECT_TRUE(comes_through(repeated("", "o1 ", 1000000), ngc));
+    EXPECT_TRUE(comes_through(repeated("", "#<", 30000), ngc));
+    EXPECT_TRUE(comes_through(repeated("", "O<", 30000), ngc));
+    EXPECT_TRUE(comes_through(repeated("", "N1", 1000000), ngc));
+    EXPECT_TRUE(comes_through(repeated("X[", "ATAN[1]/[2]*", 160) + "1]", ngc));
+    EXPECT_TRUE(comes_through(repeated("X[", "EXISTS[", 1000), ngc));
 }
 
 TEST(LongAmbiguity, RandomBlocksOfRs274Ngc) {
@@ -88,7 +88,7 @@ TEST(LongAmbiguity, RandomBlocksOfRs274Ngc) {
         std::string line;
         for (std::size_t count = random() % 40; count > 0; --count)
             line += kPieces[random() % std::size(kPieces)];
-        ASSERT_TRUE(comes_through(line, lexer::Style::rs274ngc)) << "block " << i << ": " << line;
+        ASSERT_TRUE(comes_through(line, dialect_rs274ngc())) << "block " << i << ": " << line;
     }
 }
 

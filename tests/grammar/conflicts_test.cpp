@@ -13,9 +13,9 @@ struct Reading {
     const char* block;
 };
 
-void expect_reading(const Reading& reading, lexer::Style style) {
-    const std::string after = style == lexer::Style::ab9 ? "words X=1:axis" : "words X=1";
-    const Parsed parsed = parse(std::string(reading.text) + "\nX1\n", style);
+void expect_reading(const Reading& reading, const Dialect& dialect) {
+    const std::string after = dialect.text().ambiguous_words ? "words X=1:axis" : "words X=1";
+    const Parsed parsed = parse(std::string(reading.text) + "\nX1\n", dialect);
     EXPECT_TRUE(parsed.finished) << "ambiguous: " << reading.text;
     EXPECT_EQ(parsed.messages, "") << reading.text;
     ASSERT_EQ(parsed.blocks.size(), 2U) << reading.text;
@@ -25,12 +25,12 @@ void expect_reading(const Reading& reading, lexer::Style style) {
 
 class Ab9Conflicts : public testing::TestWithParam<Reading> {};
 TEST_P(Ab9Conflicts, AreResolved) {
-    expect_reading(GetParam(), lexer::Style::ab9);
+    expect_reading(GetParam(), dialect_ab9());
 }
 
 class NgcConflicts : public testing::TestWithParam<Reading> {};
 TEST_P(NgcConflicts, AreResolved) {
-    expect_reading(GetParam(), lexer::Style::rs274ngc);
+    expect_reading(GetParam(), dialect_rs274ngc());
 }
 
 // X or U, an axis or the time of a dwell, before each token that fits both kinds of block.

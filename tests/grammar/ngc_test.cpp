@@ -53,7 +53,7 @@ TEST(OWords, TheirNames) {
     EXPECT_EQ(block("o#<a> call"), "call o#<a>");
     EXPECT_EQ(block("/2 N10 o1 call"), "N10 /2 call o1");
     const char* message =
-        "an O-word whose number is an expression can only be called; others are numbers or <names>";
+        "an O-word whose number is an expression can only be called; others must be numbers or <names>";
     for (const char* keyword : {"sub", "endsub", "if [1]", "while [1]", "do", "break", "return"}) {
         EXPECT_EQ(messages(fmt::format("o#1 {}", keyword)), fmt::format("1:2: error: {}\n", message))
             << keyword;
@@ -61,51 +61,56 @@ TEST(OWords, TheirNames) {
             << keyword;
     }
     EXPECT_EQ(messages("o#1"),
-              "1:2: error: a program begins with a number or a name, not with an expression\n");
+              "1:2: error: the name of a program must be a number or a name, not an expression\n");
 }
 
 TEST(OWords, WrongNumbersOfValues) {
     for (const char* keyword : {"sub", "else", "endif", "endwhile", "do", "endrepeat", "break", "continue"}) {
         EXPECT_EQ(messages(fmt::format("o1 {} [1]", keyword)),
-                  "1:4: error: behind this keyword stands nothing\n");
+                  "1:4: error: this keyword must be followed by nothing\n");
         EXPECT_EQ(messages(fmt::format("o1 {} [1] [2]", keyword)),
-                  "1:4: error: behind this keyword stands nothing\n");
+                  "1:4: error: this keyword must be followed by nothing\n");
     }
     for (const char* keyword : {"if", "elseif", "while"}) {
         for (const char* values : {"", " [1] [2]"}) {
             EXPECT_EQ(messages(fmt::format("o1 {}{}", keyword, values)),
-                      "1:4: error: behind this keyword stands its condition in brackets\n");
+                      "1:4: error: this keyword must be followed by its condition in brackets\n");
         }
     }
     EXPECT_EQ(messages("o1 repeat"),
-              "1:4: error: behind this keyword stands the number of passes in brackets\n");
+              "1:4: error: this keyword must be followed by the number of repetitions in brackets\n");
     EXPECT_EQ(messages("o1 repeat [1][2]"),
-              "1:4: error: behind this keyword stands the number of passes in brackets\n");
-    EXPECT_EQ(messages("o1 endsub [1][2]"), "1:4: error: behind this keyword stands at most one value\n");
-    EXPECT_EQ(messages("o1 return [1][2]"), "1:4: error: behind this keyword stands at most one value\n");
+              "1:4: error: this keyword must be followed by the number of repetitions in brackets\n");
+    EXPECT_EQ(messages("o1 endsub [1][2]"),
+              "1:4: error: this keyword must be followed by at most one value\n");
+    EXPECT_EQ(messages("o1 return [1][2]"),
+              "1:4: error: this keyword must be followed by at most one value\n");
     EXPECT_EQ(parse_ngc(repeated("o1 call", " [1]", 30) + "\n").messages, "");
     EXPECT_EQ(messages(repeated("o1 call", " [1]", 31)),
-              "1:4: error: behind this keyword stands up to 30 values, each in brackets\n");
+              "1:4: error: this keyword must be followed by up to 30 values, each in brackets\n");
     EXPECT_EQ(messages(repeated("o1 call", " [1]", 600)),
-              "1:4: error: behind this keyword stands up to 30 values, each in brackets\n");
+              "1:4: error: this keyword must be followed by up to 30 values, each in brackets\n");
 }
 
 TEST(OWords, ErrorsAroundThem) {
-    EXPECT_EQ(messages("o1 call 5"), "1:9: error: values behind an O-word stand in brackets\n");
+    EXPECT_EQ(messages("o1 call 5"), "1:9: error: values after an O-word must be in brackets\n");
     EXPECT_EQ(block("o1 5"), "O15 words") << "blanks mean nothing: a program";
-    EXPECT_EQ(messages("G1 X1 o1 call"), "1:7: error: an O-word stands at the start of a block, and once\n");
-    EXPECT_EQ(messages("o1 call o2 call"), "1:9: error: 'o' is no keyword behind an O-word\n");
+    EXPECT_EQ(messages("G1 X1 o1 call"),
+              "1:7: error: an O-word must be at the start of a block, and only once\n");
+    EXPECT_EQ(messages("o1 call o2 call"), "1:9: error: 'o' is not a keyword after an O-word\n");
     EXPECT_EQ(messages("o1 call [1"), "1:11: error: ']' is missing at the end of the block\n");
-    EXPECT_EQ(messages("o1 call []"), "1:10: error: ']' is out of place\n");
+    EXPECT_EQ(messages("o1 call []"), "1:10: error: ']' is not allowed here\n");
     EXPECT_EQ(messages("o1 else while"),
-              "1:9: error: behind an O-word stands one keyword, and its values in brackets\n");
+              "1:9: error: an O-word must be followed by one keyword, with its values in brackets\n");
     EXPECT_EQ(block("o1 else if [#1]"), block("o1 elseif [#1]"));
-    EXPECT_EQ(messages("o1 sub G1 X1"), "1:8: error: 'G' is no keyword behind an O-word\n");
-    EXPECT_EQ(messages("o1 if #1 = 2"), "1:10: error: '=' is out of place\n");
-    EXPECT_EQ(messages("IF[#1 EQ 2]GOTO5"),
-              "1:1: error: I has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9\n");
-    EXPECT_EQ(messages("WHILE[#1]DO1"),
-              "1:1: error: W has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9\n");
+    EXPECT_EQ(messages("o1 sub G1 X1"), "1:8: error: 'G' is not a keyword after an O-word\n");
+    EXPECT_EQ(messages("o1 if #1 = 2"), "1:10: error: '=' is not allowed here\n");
+    EXPECT_EQ(
+        messages("IF[#1 EQ 2]GOTO5"),
+        "1:1: error: I has no value; IF, WHILE, GOTO and END belong to the 9/Series, see --dialect ab9\n");
+    EXPECT_EQ(
+        messages("WHILE[#1]DO1"),
+        "1:1: error: W has no value; IF, WHILE, GOTO and END belong to the 9/Series, see --dialect ab9\n");
 }
 
 /// LinuxCNC removes all blanks from a block before it reads it.
@@ -115,15 +120,16 @@ TEST(NgcBlanks, MeanNothing) {
     EXPECT_EQ(block("X s i n [#1 m o d 2] Y[1 e q 2and3]"), "words X=(SIN (MOD #1 2)) Y=(AND (EQ~ 1 2) 3)");
     EXPECT_EQ(block("X[4modsin[90]]"), "words X=(MOD 4 (SIN 90))") << "names end without blanks too";
     EXPECT_EQ(block("o1 e n d i f"), block("o1 endif"));
-    EXPECT_EQ(messages("X[1 mod foo 2]"), "1:9: error: 'foo' is no function or operator of an expression\n");
+    EXPECT_EQ(messages("X[1 mod foo 2]"),
+              "1:9: error: 'foo' is not a function or operator of an expression\n");
     EXPECT_EQ(parse("X[1 2]\n").messages, "1:5: error: a number without its letter\n")
         << "but in the 9/Series";
 }
 
 TEST(NgcNumbers, OfParametersMayHaveZerosBehindThePoint) {
     EXPECT_EQ(block("#1.0=2 X#1. Y[#2.00+1]"), "words X=#1 Y=(+ #2 1) #1:=2");
-    EXPECT_EQ(messages("X#1.5"), "1:2: error: the number of a variable is whole, not 1.5\n");
-    EXPECT_EQ(messages("X#.5"), "1:2: error: the number of a variable is whole, not .5\n");
+    EXPECT_EQ(messages("X#1.5"), "1:2: error: the number of a variable must be an integer, not 1.5\n");
+    EXPECT_EQ(messages("X#.5"), "1:2: error: the number of a variable must be an integer, not .5\n");
 }
 
 TEST(NgcSigns, MayFollowEachOther) {
@@ -139,25 +145,23 @@ TEST(Settings, StandAmongWords) {
     EXPECT_EQ(block("# 1 = 2"), "words #1:=2");
     EXPECT_EQ(block("#1=exists[#<a>] #2=exists[#3]"), "words #1:=(EXISTS #<a>) #2:=(EXISTS #3)");
     EXPECT_EQ(block("X[exists[#[1+2]]+1]"), "words X=(+ (EXISTS (# (+ 1 2))) 1)");
-    EXPECT_EQ(messages("#1=#2+3"), "1:6: error: '+' is out of place\n");
-    EXPECT_EQ(messages("#1=2+3"), "1:5: error: '+' is out of place\n");
-    EXPECT_EQ(messages("X1=2"), "1:3: error: '=' is out of place\n");
+    EXPECT_EQ(messages("#1=#2+3"), "1:6: error: '+' is not allowed here\n");
+    EXPECT_EQ(messages("#1=2+3"), "1:5: error: '+' is not allowed here\n");
+    EXPECT_EQ(messages("X1=2"), "1:3: error: '=' is not allowed here\n");
     EXPECT_EQ(messages("X[** 2]"), "1:3: error: the operator has no value before it\n");
     EXPECT_EQ(messages("X[1 AND OR 2]"), "1:9: error: the operator has no value before it\n");
     EXPECT_EQ(messages("SIN[1]"),
-              "1:1: error: a function stands in the value of a word or in an expression\n");
+              "1:1: error: a function must be in the value of a word or in an expression\n");
     EXPECT_EQ(block("#atan[1]/[1]=3"), "words (# (ATAN 1 1)):=3");
     EXPECT_EQ(block("#-[-3]=3 X#sin[90]"), "words X=(# (SIN 90)) (# (neg (neg 3))):=3");
-    EXPECT_EQ(messages("#1"),
-              "1:1: error: a variable stands here neither as the value of a word nor before '='\n");
-    EXPECT_EQ(messages("X1 #<a>"),
-              "1:4: error: a variable stands here neither as the value of a word nor before '='\n");
+    EXPECT_EQ(messages("#1"), "1:1: error: a variable must be the value of a word, or precede '='\n");
+    EXPECT_EQ(messages("X1 #<a>"), "1:4: error: a variable must be the value of a word, or precede '='\n");
     EXPECT_EQ(messages("X[EXISTS[1]]"), "1:10: error: a number without its letter\n");
-    EXPECT_EQ(messages("X[EXISTS[#1+1]]"), "1:12: error: '+' is out of place\n");
+    EXPECT_EQ(messages("X[EXISTS[#1+1]]"), "1:12: error: '+' is not allowed here\n");
 }
 
-std::string tree(const std::string& expression, lexer::Style style) {
-    const Parsed parsed = parse("F[" + expression + "]\n", style);
+std::string tree(const std::string& expression, const Dialect& dialect) {
+    const Parsed parsed = parse("F[" + expression + "]\n", dialect);
     EXPECT_EQ(parsed.messages, "") << expression;
     const std::string start = "words F=";
     return parsed.blocks.size() == 1 && parsed.blocks[0].starts_with(start)
@@ -166,7 +170,7 @@ std::string tree(const std::string& expression, lexer::Style style) {
 }
 
 std::string ngc(const std::string& expression) {
-    return tree(expression, lexer::Style::rs274ngc);
+    return tree(expression, dialect_rs274ngc());
 }
 
 TEST(NgcExpressions, PowersBindStrongestFromLeftToRight) {
@@ -196,14 +200,14 @@ TEST(NgcExpressions, LogicBindsWeakest) {
 
 /// In the 9/Series AND binds as *, OR and XOR as +, and comparisons weakest.
 TEST(NgcExpressions, DifferFromThoseOfThe9Series) {
-    const auto ab9 = [](const std::string& expression) { return tree(expression, lexer::Style::ab9); };
+    const auto ab9 = [](const std::string& expression) { return tree(expression, dialect_ab9()); };
     EXPECT_EQ(ab9("1 OR 2 AND 3"), "(OR 1 (AND 2 3))");
     EXPECT_EQ(ab9("1+2 AND 3*4"), "(+ 1 (* (AND 2 3) 4))");
     EXPECT_EQ(ab9("1 XOR 2+3"), "(+ (XOR 1 2) 3)");
     EXPECT_EQ(ab9("1 EQ 2 AND 3"), "(EQ 1 (AND 2 3))");
     EXPECT_EQ(ngc("1 EQ 2 AND 3"), "(AND (EQ~ 1 2) 3)");
     EXPECT_EQ(parse("F[1 LT 2 LT 3]\n").messages,
-              "1:10: error: a comparison is out of place; comparisons are joined as [..] AND [..]\n");
+              "1:10: error: a comparison is not allowed here; comparisons are combined as [..] AND [..]\n");
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ class Writer : public BlockSink {
 
 }  // namespace
 
-Parsed parse(std::string_view text, lexer::Style style) {
+Parsed parse(std::string_view text, const Dialect& dialect) {
     Parsed result;
     lexer::Source source = lexer::Source::from_text(std::string(text), "t");
     lexer::Diagnostics diagnostics(source, 1000, [&](const text::Diagnostic& reported) {
@@ -112,14 +112,14 @@ Parsed parse(std::string_view text, lexer::Style style) {
         result.messages += std::string(message.substr(2, message.find('\n') - 1));
     });
     const lexer::Aliases aliases;
-    lexer::Lexer lexer(source, diagnostics, aliases, style);
+    lexer::Lexer lexer(source, diagnostics, aliases, dialect.text());
     Writer writer(result.blocks);
     result.finished = Parser(lexer, diagnostics, writer).run();
     return result;
 }
 
 Parsed parse_ngc(std::string_view text) {
-    return parse(text, lexer::Style::rs274ngc);
+    return parse(text, dialect_rs274ngc());
 }
 
 std::string repeated(std::string before, std::string_view fragment, std::size_t count) {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lexer/style.h"
+#include "grammar/dialect.h"
 
 namespace gsim::grammar {
 
@@ -17,7 +17,7 @@ struct Parsed {
     bool finished = true;  ///< The parser came to the end by itself.
 };
 
-Parsed parse(std::string_view text, lexer::Style style = lexer::Style::ab9);
+Parsed parse(std::string_view text, const Dialect& dialect = dialect_ab9());
 /// RS274/NGC.
 Parsed parse_ngc(std::string_view text);
 

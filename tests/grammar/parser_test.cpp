@@ -92,8 +92,8 @@ TEST(Blocks, WordsOfThe9Series) {
     EXPECT_EQ(block("N5 /3 dprnt[X#1[53]]"), "N5 /3 print 2 X#1[53]");
     EXPECT_EQ(block("PCLOS (c)"), "print 1 ");
     EXPECT_EQ(parse("X1 POPEN\n").messages,
-              "1:4: error: POPEN, PCLOS and DPRNT[..] stand in a block of their own\n");
-    EXPECT_EQ(parse("POPEN X1\n").messages, "1:7: error: X is out of place\n");
+              "1:4: error: POPEN, PCLOS and DPRNT[..] must be in a separate block\n");
+    EXPECT_EQ(parse("POPEN X1\n").messages, "1:7: error: X is not allowed here\n");
 }
 
 TEST(Blocks, EachEndsAtItsLineOrSemicolon) {

@@ -32,7 +32,7 @@ in_c() {
 
 in_cpp() {
     # shellcheck disable=SC2046
-    g++ -std=c++20 -Wall -Wextra -Werror "$examples/run.cpp" $(pkg-config --cflags --libs libgsim) -o cpp && ./cpp
+    g++ -std=c++20 -Wall -Wextra -Werror "$examples/01_cycle_time.cpp" $(pkg-config --cflags --libs libgsim) -o cpp && ./cpp
 }
 
 # Each header by itself.
@@ -50,7 +50,7 @@ cmake_minimum_required(VERSION 3.25)
 project(user CXX)
 find_package(gsim 0.1 REQUIRED)
 foreach(kind gsim static)
-    add_executable(by_\${kind} $examples/run.cpp)
+    add_executable(by_\${kind} $examples/01_cycle_time.cpp)
     target_link_libraries(by_\${kind} PRIVATE gsim::\${kind})
 endforeach()
 TEXT

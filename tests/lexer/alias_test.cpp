@@ -47,11 +47,12 @@ TEST(Aliases, StandForTheWordInEveryRespect) {
 TEST(Aliases, ErrorsSayWhatIsWrong) {
     Aliases aliases;
     const std::string bad_name =
-        " is not a name for an alias: two letters or more first, then letters, digits and '_'";
+        " is not a valid name of an alias: it must begin with at least two letters, then letters, digits and "
+        "'_'";
     for (const std::string name : {"", "X", "X1", "1ab", "ab-c", "a b", "_ab"})
         EXPECT_EQ(aliases.add(name, "M8"), "'" + name + "'" + bad_name);
     const std::string bad_word =
-        " is not a word that an alias can stand for: one letter and a number, such as M08";
+        " is not a valid word for an alias: it must be one letter and a number, such as M08";
     for (const std::string word : {"", "M", "08", "M8 X1", "MM8", "M-8", "M8.1.1", "M.5"})
         EXPECT_EQ(aliases.add("Jet", word), "'" + word + "'" + bad_word);
     EXPECT_EQ(aliases.add("Jet_on", "M08"), std::nullopt);

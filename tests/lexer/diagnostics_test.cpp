@@ -63,7 +63,7 @@ TEST(Diagnostics, StopsAfterTheLastErrorAllowed) {
               "p.nc:1:1: warning: look\n  X\n  ^\n"
               "p.nc:1:1: error: one\n  X\n  ^\n"
               "p.nc:1:2: error: two\n  X\n   ^\n"
-              "p.nc: note: 2 errors, giving up\n");
+              "p.nc: note: stopped after 2 errors\n");
 }
 
 TEST(Diagnostics, AWordEndsBehindItsNumber) {

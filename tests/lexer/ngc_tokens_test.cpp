@@ -64,7 +64,7 @@ TEST(NgcTokens, Expressions) {
     EXPECT_EQ(near.values[3].index, static_cast<std::uint32_t>(Operator::near_equal));
     EXPECT_EQ(near.values[5].index, static_cast<std::uint32_t>(Operator::not_near_equal));
     EXPECT_EQ(scan_ngc("X[BCD[1]]\n").messages,
-              "1:3: error: 'BCD' is no function or operator of an expression\n");
+              "1:3: error: 'BCD' is not a function or operator of an expression\n");
     EXPECT_THAT(scan_ngc("X[1]Y2\n").tokens, ElementsAre(kAxisLetter, '[', kNumber, ']', kAxis, kEob))
         << "behind the bracket words go on";
 }
@@ -79,7 +79,7 @@ TEST(NgcTokens, NamesOfParameters) {
     for (const std::string& text :
          {"#<" + max_length + "n>=1\n", std::string("#<a=1\n"), "X[#<" + max_length + "n>]\n"}) {
         EXPECT_THAT(scan_ngc(text).messages,
-                    testing::HasSubstr("error: the name has no '>' behind it, or more than 100 characters\n"))
+                    testing::HasSubstr("error: the name has no '>' after it, or more than 100 characters\n"))
             << text;
     }
 }
@@ -100,13 +100,13 @@ TEST(NgcTokens, OWords) {
 
 TEST(NgcTokens, ErrorsOfOWords) {
     EXPECT_EQ(scan_ngc("o1 cal [1]\n").messages,
-              "1:4: error: 'cal' is no keyword behind an O-word; did you mean CALL?\n");
-    EXPECT_EQ(scan_ngc("o1 goto\n").messages, "1:4: error: 'goto' is no keyword behind an O-word\n");
+              "1:4: error: 'cal' is not a keyword after an O-word; did you mean CALL?\n");
+    EXPECT_EQ(scan_ngc("o1 goto\n").messages, "1:4: error: 'goto' is not a keyword after an O-word\n");
     EXPECT_EQ(scan_ngc("o<> call\n").messages, "1:1: error: the name of an O-word is empty\n");
     EXPECT_EQ(scan_ngc("o<" + std::string(101, 'n') + "> call\n").messages,
-              "1:1: error: the name has no '>' behind it, or more than 100 characters\n");
+              "1:1: error: the name has no '>' after it, or more than 100 characters\n");
     EXPECT_EQ(scan_ngc("o<a call\n").messages,
-              "1:1: error: the name has no '>' behind it, or more than 100 characters\n");
+              "1:1: error: the name has no '>' after it, or more than 100 characters\n");
     EXPECT_THAT(scan_ngc("OPART\n").tokens,
                 ElementsAre(kOtherLetter, kOtherLetter, kAxisLetter, kOtherLetter, kOtherLetter, kEob))
         << "no names without < >";
@@ -120,7 +120,7 @@ TEST(NgcTokens, RemarksAndComments) {
     EXPECT_EQ(scan_ngc("X1 (open\nY2\n").messages, "1:9: error: the comment has no ')' on its line\n");
     EXPECT_EQ(
         scan_ngc("X1 ) 2\n").messages,
-        "1:4: error: ')' without '('; a comment ends at its first ')', also where it holds another '('\n");
+        "1:4: error: ')' without '('; a comment ends at its first ')', even if it contains another '('\n");
     EXPECT_THAT(scan_ngc("X[1(c)+2] Y3\n").words, ElementsAre("X=", "Y=3")) << "in an expression too";
 }
 
@@ -130,7 +130,7 @@ TEST(NgcTokens, BehindTheSecondTapeMarkNothingIsRead) {
     EXPECT_THAT(result.tokens, ElementsAre(kTape, kEob, kOther, kAxis, kEob, kTape));
     EXPECT_THAT(scan_ngc("G0 X1\n%\nX2\n").words, ElementsAre("G=0", "X=1", "X=2"))
         << "the first one may begin the tape";
-    EXPECT_EQ(scan_ngc("X1 %\n").messages, "1:4: error: a tape mark % stands at the start of a line\n");
+    EXPECT_EQ(scan_ngc("X1 %\n").messages, "1:4: error: a tape mark % must be at the start of a line\n");
     EXPECT_THAT(scan("%\nX1\n%\nX2\n").words, ElementsAre("X=1", "X=2")) << "9/Series: further programs";
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "grammar/dialect.h"
 #include "lexer/lexer.h"
 
 namespace gsim::lexer {
@@ -22,8 +23,9 @@ struct Scan {
     std::string messages;               ///< "line:column: text" of the errors, one a line.
 };
 
-/// RS274/NGC: as the writer does it, a block with M2 or M30 ends the main program.
-inline Scan scan(std::string_view text, const Aliases& aliases = {}, Style style = Style::ab9) {
+/// As the writer does it, a block with M2 or M30 ends the main program if the dialect has it so.
+inline Scan scan(std::string_view text, const Aliases& aliases = {},
+                 const grammar::Dialect& dialect = grammar::dialect_ab9()) {
     Scan result;
     Source source = Source::from_text(std::string(text), "t");
     Diagnostics diagnostics(source, 1000, [&](const text::Diagnostic& reported) {
@@ -31,7 +33,7 @@ inline Scan scan(std::string_view text, const Aliases& aliases = {}, Style style
         const std::string_view line = std::string_view(message).substr(0, message.find('\n'));
         result.messages += std::string(line.substr(2)) + "\n";  // without "t:"
     });
-    Lexer lexer(source, diagnostics, aliases, style);
+    Lexer lexer(source, diagnostics, aliases, dialect.text());
     while (true) {
         Value value{};
         const Token token = lexer.next(value);
@@ -45,7 +47,7 @@ inline Scan scan(std::string_view text, const Aliases& aliases = {}, Style style
         if (token != kEob && token != kTape) continue;
         for (const Word& word : block.words) {
             const bool ends = word.address == 'M' && (word.code_x10 == 20 || word.code_x10 == 300);
-            if (ends && style == Style::rs274ngc) lexer.end_main_program();
+            if (ends && dialect.rules().end_code_ends_text) lexer.extent().end_main_program();
             result.words.push_back(fmt::format("{}={}", address_name(word.address), block.view(word.number)));
         }
         for (const Slice comment : block.comments) result.comments.emplace_back(block.view(comment));
@@ -54,7 +56,7 @@ inline Scan scan(std::string_view text, const Aliases& aliases = {}, Style style
 }
 
 inline Scan scan_ngc(std::string_view text) {
-    return scan(text, {}, Style::rs274ngc);
+    return scan(text, {}, grammar::dialect_rs274ngc());
 }
 
 }  // namespace gsim::lexer

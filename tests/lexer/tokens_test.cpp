@@ -42,9 +42,9 @@ TEST(Tokens, TapeMarkBlockDeleteAndSequenceNumber) {
     EXPECT_EQ(levels.values[0].index, 1U);
     EXPECT_EQ(levels.values[1].index, 10U);
     EXPECT_EQ(levels.values[3].index, 9U);
-    EXPECT_EQ(scan("X1 %\n").messages, "1:4: error: a tape mark % stands at the start of a line\n");
-    EXPECT_EQ(scan("/0 X1\n").messages, "1:1: error: block delete is / or /1 to /9, not /0\n");
-    EXPECT_EQ(scan("/10 X1\n").messages, "1:1: error: block delete is / or /1 to /9, not /10\n");
+    EXPECT_EQ(scan("X1 %\n").messages, "1:4: error: a tape mark % must be at the start of a line\n");
+    EXPECT_EQ(scan("/0 X1\n").messages, "1:1: error: block delete must be / or /1 to /9, not /0\n");
+    EXPECT_EQ(scan("/10 X1\n").messages, "1:1: error: block delete must be / or /1 to /9, not /10\n");
 }
 
 TEST(Tokens, ProgramNames) {
@@ -94,12 +94,12 @@ TEST(Tokens, StatementsThatPrint) {
         << "behind ';' they are no remark";
     for (const char* text : {"DPRNT\n", "DPRNT X\n", "DPRNT[A\n", "DPRNT[A[B]\n"}) {
         EXPECT_EQ(scan(text).messages,
-                  "1:1: error: DPRNT takes its text in brackets, as in DPRNT[X#100[53]]\n")
+                  "1:1: error: DPRNT requires its text in brackets, as in DPRNT[X#100[53]]\n")
             << text;
     }
     EXPECT_EQ(scan("DPRNT[" + std::string(400, 'A') + "]\n").messages, "");
     EXPECT_EQ(scan("DPRNT[" + std::string(60000, 'A') + "]\n").messages,
-              "1:1: error: DPRNT takes at most 400 characters\n");
+              "1:1: error: DPRNT accepts at most 400 characters\n");
 }
 
 TEST(Tokens, WhatOnlyRs274NgcHas) {
@@ -109,7 +109,7 @@ TEST(Tokens, WhatOnlyRs274NgcHas) {
     EXPECT_EQ(scan("X#<a>\n").messages, "1:3: error: unexpected character '<'\n");
     EXPECT_EQ(scan("#1=#<\n").messages, "1:4: error: unexpected character '<'\n");
     EXPECT_EQ(scan("#1=EXISTS[#2]\n").messages,
-              "1:4: error: 'EXISTS' is no function or operator of an expression\n");
+              "1:4: error: 'EXISTS' is not a function or operator of an expression\n");
     EXPECT_EQ(scan("@5\n").messages, "1:1: error: unexpected character '@'\n");
     EXPECT_EQ(scan("$1\n").messages, "1:1: error: unexpected character '$'\n");
 }
@@ -143,10 +143,9 @@ TEST(Tokens, FunctionsAndOperatorsOfExpressions) {
     EXPECT_EQ(result.values[2].index, static_cast<std::uint32_t>(Operator::sin));
     EXPECT_EQ(result.values[15].index, static_cast<std::uint32_t>(Operator::modulo));
     EXPECT_EQ(scan("#1=SINN[1]\n").messages,
-              "1:4: error: 'SINN' is no function or operator of an expression; did you mean SIN?\n");
-    EXPECT_EQ(
-        scan("#1=5 X1\n").messages,
-        "1:6: error: the word X stands in the same block as an assignment; give it a block of its own\n");
+              "1:4: error: 'SINN' is not a function or operator of an expression; did you mean SIN?\n");
+    EXPECT_EQ(scan("#1=5 X1\n").messages,
+              "1:6: error: the word X is in the same block as an assignment; move it to a separate block\n");
 }
 
 }  // namespace

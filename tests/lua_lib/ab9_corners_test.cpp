@@ -118,15 +118,15 @@ TEST(Corners, ThatDoNotFit) {
                  {",R of 12 mm", "does not fit", "10.0000 mm"});
     expect_alarm(corners("chamfer(5) G1{x=110}\nG1{y=103}"), 3, {",C of 5 mm", "3.0000 mm"});
     expect_alarm(corners("corner(5) G1{x=110}\ncorner(6) G1{y=110}\nG1{x=90}"), 4, {"does not fit"});
-    expect_alarm(corners("corner(1) G1{x=110}\nG1{x=100}"), 3, {"goes back"});
+    expect_alarm(corners("corner(1) G1{x=110}\nG1{x=100}"), 3, {"[corner]", ",R", "reverses the direction"});
 }
 
 TEST(Corners, ThatHaveNoNextMove) {
     expect_alarm(corners("corner(1) G1{x=110}\nG0{y=110}"), 3, {",R", "a rapid follows"});
     expect_alarm(corners("chamfer(1) G1{x=110}\nM2()"), 3, {",C", "none follows"});
     expect_alarm(corners("corner(1) G1{x=110}\nG1{z=10}"), 3, {",R", "along Z too"});
-    expect_alarm(corners("corner(1) G1()"), 2, {"does not move"});
-    expect_alarm(corners("corner(1) G1{x=100}"), 2, {"does not move"});
+    expect_alarm(corners("corner(1) G1()"), 2, {"[corner]", ",R", "without a move"});
+    expect_alarm(corners("corner(1) G1{x=100}"), 2, {"[corner]", ",R", "without a move"});
     expect_alarm(corners("corner(1) G0{x=110}"), 2, {"not to G0"});
     expect_alarm(corners("corner(1) chamfer(1) G1{x=110}"), 2, {"not both"});
     expect_alarm(corners("corner(-1) G1{x=110}"), 2, {"0 or more"});

@@ -39,14 +39,14 @@ TEST(DataSetting, AnOffsetInForceStaysUntilItIsCalledAgain) {
 }
 
 TEST(DataSetting, SaysWhatItNeeds) {
-    expect_alarm(run_lua("\nG10{p=1, x=1}"), 2, {"G10 needs L", "L2", "L10"});
+    expect_alarm(run_lua("\nG10{p=1, x=1}"), 2, {"[word-missing]", "G10", "L:", "L2", "L10"});
     expect_alarm(run_lua("G10{l=5, p=1, x=1}"), 1, {"L5", "L2, L20"});
-    expect_alarm(run_lua("G10{l=2, x=1}"), 1, {"P", "0 to 9", "left out"});
+    expect_alarm(run_lua("G10{l=2, x=1}"), 1, {"P", "0 to 9", "missing"});
     expect_alarm(run_lua("G10{l=2, p=10, x=1}"), 1, {"0 to 9", "10"});
     expect_alarm(run_lua("G10{l=2, p=1}"), 1, {"axis words"});
-    expect_alarm(run_lua("G10{l=2, p=1, q=1}"), 1, {"'q' is no word that G10 takes"});
+    expect_alarm(run_lua("G10{l=2, p=1, q=1}"), 1, {"'q' is not a word of G10"});
     expect_alarm(run_lua("G10{l=10, p=1, x=1}"), 1, {"L10", "by R", "X"});
-    expect_alarm(run_lua("G10{l=13, p=1}"), 1, {"needs R"});
+    expect_alarm(run_lua("G10{l=13, p=1}"), 1, {"[word-missing]", "G10 L13", "R,"});
     expect_alarm(run_lua("F(100.0) G10{l=12, p=1, r=2} G41{d=1} G1{x=9} G10{l=12, p=1, r=3}"), 1,
                  {"G10", "cutter compensation"});
 }

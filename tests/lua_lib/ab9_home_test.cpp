@@ -51,7 +51,7 @@ TEST(Skip, WhatProbesFeelEndsItToo) {
 }
 
 TEST(Skip, NeedsATarget) {
-    expect_alarm(run_lua("G31()"), 1, {"G31 needs"});
+    expect_alarm(run_lua("G31()"), 1, {"[word-missing]", "G31", "axis words"});
     expect_alarm(run_lua("v[1]=v[5061]"), 1, {"before the first G31"});
 }
 

@@ -65,8 +65,9 @@ TEST(Macros, NestFourDeep) {
 }
 
 TEST(Macros, WordsThatAreNoArguments) {
-    expect_alarm(run_macros("G65{p=100, g=1}", {{100, ""}}), 2, {"G65", "G is no argument"});
-    expect_alarm(run_macros("G65{a=1}", {}), 2, {"G65 needs P"});
+    expect_alarm(run_macros("G65{p=100, g=1}", {{100, ""}}), 2,
+                 {"[word-out-of-place]", "G65", "G is not an argument"});
+    expect_alarm(run_macros("G65{a=1}", {}), 2, {"[word-missing]", "G65", "P,"});
     expect_alarm(run_macros("G65{p=100, l=1.5}", {{100, ""}}), 2, {"L of G65", "1.5"});
     expect_alarm(run_macros("\nG65{p=77}", {}), 3, {"O77"});
 }
@@ -99,7 +100,8 @@ TEST(ModalMacros, G661TakesTheWordsOfEachBlock) {
     expect_end(run_macros("G66_1{p=100}\nF(30.0) G1{x=7, z=3}" + show, {{100, collect}}), 7, 30, 1, 3, 1);
     expect_end(run_macros("G66_1{p=100}\nF(30.0)\nmove{x=7}" + show, {{100, collect}}), 7, 0, 0, 0, 2);
     EXPECT_EQ(run_macros("G66_1{p=100}\nG0{x=7}\nG67()", {{100, collect}}).moves.size(), 0U);
-    expect_alarm(run_macros("G66_1{p=100, a=1}", {{100, ""}}), 2, {"G66.1 takes no arguments"});
+    expect_alarm(run_macros("G66_1{p=100, a=1}", {{100, ""}}), 2,
+                 {"[word-out-of-place]", "G66.1", "no arguments"});
 }
 
 }  // namespace

@@ -52,9 +52,9 @@ TEST(UserCodes, ADefinedOneRuns) {
 
 TEST(UserCodes, AnUndefinedOneSaysHow) {
     expect_alarm(run_lua("\nM[123]{p=1}"), 2, {"M123", "M[123] = function(words)"});
-    expect_alarm(run_lua("M[101] = 5"), 1, {"takes a function"});
-    expect_alarm(run_lua("M[3] = function() end"), 1, {"M3", "control itself"});
-    expect_alarm(run_lua("M[1.5] = function() end"), 1, {"whole number", "1.5"});
+    expect_alarm(run_lua("M[101] = 5"), 1, {"[script]", "M[101]", "needs a function"});
+    expect_alarm(run_lua("M[3] = function() end"), 1, {"M3", "controller itself"});
+    expect_alarm(run_lua("M[1.5] = function() end"), 1, {"integer", "1.5"});
     expect_alarm(run_lua("M[101] = function() end\nM[101](5)"), 2, {"in braces"});
 }
 

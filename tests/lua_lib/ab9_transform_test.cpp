@@ -72,8 +72,8 @@ TEST(Scaling, ScalesIncrementsArcsAndRadii) {
 
 TEST(Scaling, NeedsAFactor) {
     expect_refused("G14_1{x=5}", {"G14.1", "P", "I, J, K"});
-    expect_refused("G14{p=0}", {"G14", "other than 0"});
-    expect_refused("G14{p=2, q=1}", {"'q' is no word that G14 takes"});
+    expect_refused("G14{p=0}", {"[frame]", "G14", "must not be 0"});
+    expect_refused("G14{p=2, q=1}", {"'q' is not a word of G14"});
 }
 
 TEST(Rotation, IsCounterclockwiseAboutItsCentre) {
@@ -88,7 +88,7 @@ TEST(Rotation, IsCounterclockwiseAboutItsCentre) {
 TEST(Rotation, IsInThePlaneInForce) {
     expect_at("G18() G68{r=90} G1{x=0, y=0, z=10}", 10, 0, 0);  // from +Z to +X
     expect_at("G19() G68{r=90} G1{x=0, y=10, z=0}", 0, 0, 10);  // from +Y to +Z
-    expect_refused("G68{z=5, r=90}", {"Z is no axis of the plane", "X and Y"});
+    expect_refused("G68{z=5, r=90}", {"[frame]", "G68", "Z is not an axis", "X and Y"});
     expect_refused("G68{x=5}", {"needs R"});
 }
 

@@ -74,7 +74,8 @@ TEST(Zones, CornersMayBeGivenInAnyOrder) {
     expect_alarm(run_lua("G20() G22{x=4, i=8}\nG0{x=5}"), 2, {"X 101.6 to 203.2"});
     expect_alarm(run_lua("G22{x=100}"), 1, {"both X and I"});
     expect_alarm(run_lua("G22{x=100, i=100}"), 1, {"no extent"});
-    expect_alarm(run_lua("G22{x=100, i=200, p=1}"), 1, {"no word P"});
+    expect_alarm(run_lua("G22{x=100, i=200, p=1}"), 1,
+                 {"[word-out-of-place]", "G22", "not accept the word P"});
 }
 
 TEST(Zones, AreInMachineCoordinates) {

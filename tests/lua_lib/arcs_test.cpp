@@ -121,7 +121,8 @@ TEST(Arcs, SayTheSameInLuaAndInTheCore) {
         const std::string start = "F1000 G0 X100 Y0\n" + shape;
         const std::uint32_t line = shape.empty() ? 2 : 3;
         expect_alarm(run(start + "G2 X100 Y90 I10 R10\n"), line, {"not by both"});
-        expect_alarm(run(start + "G2 X100 Y90 K10\n"), line, {"K is no centre word", "takes I and J"});
+        expect_alarm(run(start + "G2 X100 Y90 K10\n"), line,
+                     {"[word-out-of-place]", "K is not a centre word", "I and J"});
         expect_alarm(run(start + "G2 X100 Y90 R10\n"), line,
                      {"R is 10.000000 mm", shape.empty() ? "45.000000 mm" : "70.710678 mm"});
     }
@@ -166,7 +167,8 @@ TEST(Arcs, RadiiThatDisagreeWithinTheToleranceStillEndWhereProgrammed) {
 TEST(Arcs, WordsThatContradict) {
     const std::string start = "F1000 G0 X100 Y100\n";
     expect_alarm(run(start + "G2 X120 I10 R10\n"), 2, {"not by both"});
-    expect_alarm(run(start + "G2 X120 K10\n"), 2, {"K is no centre word"});
+    expect_alarm(run(start + "G2 X120 K10\n"), 2,
+                 {"[word-out-of-place]", "K is not a centre word", "I and J"});
     expect_alarm(run(start + "G2 X120 Y100 I10 AR=90\n"), 2, {"not both"});
     expect_alarm(run(start + "G2 I10 AR=0\n"), 2, {"AR="});
     expect_alarm(run(start + "G2 I10 AR=361\n"), 2, {"AR="});

@@ -62,7 +62,7 @@ TEST(NgcCompensation, TakesTheRadiusFromTheToolOfDOrFromTheOneInTheSpindle) {
     EXPECT_EQ(ways(run_ngc(kStart + "T1 M6\nG41\nG1 X10\nX30\n")), "r 0 0, f 10 3, f 30 3");
     EXPECT_EQ(ways(run_ngc(kStart + "G41\nG1 X10\nX30\n")), "r 0 0, f 10 0, f 30 0");
     expect_alarm(run_ngc(kStart + "G41 D77\n"), 3, {"D77"});
-    expect_alarm(run_ngc(kStart + "G41 D1.5\n"), 3, {"whole number"});
+    expect_alarm(run_ngc(kStart + "G41 D1.5\n"), 3, {"[compensation]", "G41: D", "integer", "1.5"});
 }
 
 TEST(NgcCompensation, ANegativeDiameterSwapsTheSides) {

@@ -20,11 +20,11 @@ Conditions conditions(double percent = 50, double before_mm = 3, double after_mm
     setup.options.data.tools[3] = {.length_mm = 0, .diameter_mm = 0};
     rrs::ControllerRules& rules = setup.machine.controller;
     rules.planner = rrs::PlannerKind::look_ahead;
-    rules.centripetal_share = kUnlimited;
-    rules.corner_override_percent = percent;
-    rules.corner_override_before_mm = before_mm;
-    rules.corner_override_after_mm = after_mm;
-    rules.corner_override_angle_deg = angle_deg;
+    rules.ramps.centripetal_share = kUnlimited;
+    rules.corner_override.percent = percent;
+    rules.corner_override.before_mm = before_mm;
+    rules.corner_override.after_mm = after_mm;
+    rules.corner_override.max_angle_deg = angle_deg;
     for (machine::Axis& axis : setup.machine.axes) {
         axis.min = -kUnlimited;
         axis.max = axis.max_acceleration = kUnlimited;
@@ -134,7 +134,7 @@ TEST(CornerOverride, SaysWhatIsMissing) {
     EXPECT_NE(warning(conditions(50, 0, 0)).find("corner_override_before_mm"), std::string::npos);
     Conditions stopping = conditions();
     stopping.machine.controller.planner = rrs::PlannerKind::rest_to_rest;
-    EXPECT_NE(warning(stopping).find("brings each move to rest"), std::string::npos);
+    EXPECT_NE(warning(stopping).find("stops at each move"), std::string::npos);
     EXPECT_EQ(run(kG62 + kCorner, stopping).moves.size(), 4U);
 }
 

@@ -95,13 +95,16 @@ TEST(Cycles, GoNoFasterThanTheFeed) {
 
 TEST(Cycles, RefuseWhatHasNoMeaning) {
     for (const auto& run_it : {run_ab9, run_rs274}) {
-        expect_alarm(run_it(kStart + "G81{x=20, z=40}"), "needs R");
-        expect_alarm(run_it(kStart + "G81{x=20, r=40}"), "needs Z");
-        expect_alarm(run_it(kStart + "G83{x=20, z=40, r=60}"), "needs Q");
-        expect_alarm(run_it(kStart + "G83{x=20, z=40, r=60, q=0}"), "above 0");
+        expect_alarm(run_it(kStart + "G81{x=20, z=40}"), 2, {"[word-missing]", "G81", " R"});
+        expect_alarm(run_it(kStart + "G81{x=20, r=40}"), 2, {"[word-missing]", "G81", " Z"});
+        expect_alarm(run_it(kStart + "G83{x=20, z=40, r=60}"), 2, {"[word-missing]", "G83", " Q"});
+        expect_alarm(run_it(kStart + "G83{x=20, z=40, r=60, q=0}"), 2,
+                     {"[word-value]", "Q of G83", "greater than 0", "not 0"});
         expect_alarm(run_it(kStart + "G83{x=20, z=40, r=60, q=1e-12}"), "too small");
-        expect_alarm(run_it(kStart + "G82{x=20, z=40, r=60, p=-1}"), "0 s or more");
-        expect_alarm(run_it(kStart + "G81{x=20, z=40, r=60, l=1.5}"), "whole number");
+        expect_alarm(run_it(kStart + "G82{x=20, z=40, r=60, p=-1}"), 2,
+                     {"[word-value]", "P of G82", "at least 0 s", "-1"});
+        expect_alarm(run_it(kStart + "G81{x=20, z=40, r=60, l=1.5}"), 2,
+                     {"[word-value]", "L of G81", "integer", "1.5"});
         expect_alarm(run_it(kStart + "G93() G81{x=20, z=40, r=60}"), "inverse time");
         expect_alarm(run_it(kStart + "G53() G81{x=20, z=40, r=60}"), "G53");
     }
@@ -133,7 +136,8 @@ TEST(CyclesNgc, WordsHoldOnlyWhileTheSameCycleRepeats) {
     expect_alarm(run_rs274(kStart + "G81{z=40, r=60}\nG82{x=20, z=40, p=1}"), "needs R");
     expect_alarm(run_rs274(kStart + "G81{z=40, r=60}\nG82{x=20, z=40, r=60}"), "needs P");
     expect_alarm(run_rs274(kStart + "G81{z=40, r=60}\nG80() move{x=20}"), "need a motion");
-    expect_alarm(run_rs274(kStart + "G81{z=40, r=60, b=5}"), "B cannot stand in its block");
+    expect_alarm(run_rs274(kStart + "G81{z=40, r=60, b=5}"), 2,
+                 {"[word-out-of-place]", "G81", "B cannot be in its block"});
     expect_alarm(run_rs274(kStart + "G81{z=70, r=60}"), "below the bottom");
     expect_alarm(run_rs274(kStart + "G81{z=40, r=60, l=0}"), "0 times");
 }
@@ -143,7 +147,7 @@ TEST(CyclesNgc, TapReversesTheSpindle) {
     expect_strokes(r, "r 10 10 60, f 10 10 40, d 0.5, f 10 10 60");
     EXPECT_EQ(r.events(), "spindle_cw spindle_off spindle_ccw spindle_off spindle_cw");
     expect_alarm(run_rs274(kStart + "G74{z=40, r=60}"), "counterclockwise");
-    expect_alarm(run_rs274(kStart + "M5() G84{z=40, r=60}"), "spindle turning");
+    expect_alarm(run_rs274(kStart + "M5() G84{z=40, r=60}"), 2, {"[spindle]", "G84", "rotating spindle"});
 }
 
 TEST(CyclesNgc, Bore) {
@@ -183,7 +187,7 @@ TEST(Threads, GoInStepWithTheSpindle) {
     const Outcome r = run_rs274(kStart + "G33{z=40, k=2}");
     expect_strokes(r, "t 10 10 40");
     EXPECT_NEAR(r.seconds(1), trapezoid_s(60, 2 * 100 / 60.0, kAcceleration_mm_s2), 1e-6);
-    expect_alarm(run_rs274(kStart + "M5() G33{z=40, k=2}"), "does not turn");
+    expect_alarm(run_rs274(kStart + "M5() G33{z=40, k=2}"), 2, {"[spindle]", "G33", "stopped"});
     expect_alarm(run_rs274(kStart + "G33{z=40}"), "needs K");
 }
 
@@ -214,7 +218,8 @@ TEST(Threads, ATaperLeadsInAndOut) {
 TEST(Threads, RefuseWordsThatMakeNoThread) {
     const std::string start = "S(100) M3() G18() G0{x=50, y=10, z=100}\n";
     expect_alarm(run_rs274(start + "G76{p=2, z=60, i=0, j=1, k=1.5}"), "I of G76");
-    expect_alarm(run_rs274(start + "G76{p=2, z=60, i=-1, j=2, k=1.5}"), "above J");
+    expect_alarm(run_rs274(start + "G76{p=2, z=60, i=-1, j=2, k=1.5}"), 2,
+                 {"[word-value]", "K of G76", "greater than J", "K1.5", "J2"});
     expect_alarm(run_rs274(start + "G76{z=60, i=-1, j=1, k=1.5}"), "needs P");
     expect_alarm(run_rs274(start + "G76{p=2, z=60, i=-1, j=1, k=1.5, q=90}"), "below 90");
     expect_alarm(run_rs274(start + "G76{p=2, z=60, i=-1, j=1, k=1.5, l=4}"), "L of G76");
@@ -232,8 +237,10 @@ TEST(CyclesAb9, LevelsHoldForTheWholeSeries) {
     expect_strokes(run_ab9(kStart + "G99() G81{x=20, z=40, r=60}\nG85{x=30}\nG91() move{x=5}"),
                    "r 20 10 100, r 20 10 60, f 20 10 40, r 20 10 60, r 30 10 60, f 30 10 40, f 30 10 60, "
                    "r 35 10 60, f 35 10 40, f 35 10 60");
-    expect_alarm(run_ab9(kStart + "G81{x=20, z=40, r=60}\nG80() G81{x=30}"), "needs R");
-    expect_alarm(run_ab9(kStart + "G81{x=20, z=40, r=60}\nG0{x=0} G81{x=30, r=60}"), "needs Z");
+    expect_alarm(run_ab9(kStart + "G81{x=20, z=40, r=60}\nG80() G81{x=30}"), 3,
+                 {"[word-missing]", "G81", "R,"});
+    expect_alarm(run_ab9(kStart + "G81{x=20, z=40, r=60}\nG0{x=0} G81{x=30, r=60}"), 3,
+                 {"[word-missing]", "G81", "Z,"});
 }
 
 TEST(CyclesAb9, TheEndOfASeriesLeadsBackToTheMotionBefore) {
@@ -276,7 +283,7 @@ TEST(CyclesAb9, AThreadHasItsLeadFromFOrE) {
     const Outcome r = run_ab9(kStart + "G33{z=40, f=2}\nmove{z=30}\nG33{z=20, e=12.7}");
     expect_strokes(r, "t 10 10 40, t 10 10 30, t 10 10 20");
     EXPECT_NEAR(r.seconds(2), r.seconds(3), 1e-9);
-    expect_alarm(run_ab9(kStart + "G33{z=40}"), "needs its lead");
+    expect_alarm(run_ab9(kStart + "G33{z=40}"), 2, {"[word-missing]", "G33", "lead", "F,", "E,"});
 }
 
 }  // namespace

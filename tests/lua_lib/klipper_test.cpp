@@ -98,11 +98,11 @@ TEST(KlipperArcs, G18TurnsTheOtherWay) {
 }
 
 TEST(KlipperArcs, WhatKlipperRefusesEndsTheProgram) {
-    expect_alarm(klipper("G1 X10 F600\nG91\nG2 X5 I2\n"), 3, {"no arcs under G91"});
-    expect_alarm(klipper("G1 X10 F600\nG2 X5 R5\n"), 2, {"no arcs by R"});
+    expect_alarm(klipper("G1 X10 F600\nG91\nG2 X5 I2\n"), 3, {"[mode]", "G2", "not support arcs in G91"});
+    expect_alarm(klipper("G1 X10 F600\nG2 X5 R5\n"), 2, {"[arc]", "G2", "not support arcs by R"});
     expect_alarm(klipper("G1 X10 F600\nG2 X5\n"), 2, {"I and J"});
-    expect_alarm(klipper("G20\n"), 1, {"no inches"});
-    expect_alarm(klipper("G1 X5 F0\n"), 1, {"above 0"});
+    expect_alarm(klipper("G20\n"), 1, {"[mode]", "G20", "not support inches"});
+    expect_alarm(klipper("G1 X5 F0\n"), 1, {"[feed]", "F0", "greater than 0"});
 }
 
 TEST(KlipperArcs, WithoutAResolutionTheyHaveNoEffect) {
@@ -154,7 +154,8 @@ TEST(KlipperStates, AreKeptAndTakenUpAgain) {
     EXPECT_NEAR(outcome.segments.at(2).master.peak_speed(), 50, kEqualTolerance);
     EXPECT_NEAR(outcome.to(3, 'X'), 20, kEqualTolerance);
     EXPECT_NEAR(outcome.segments.at(3).master.peak_speed(), 10, kEqualTolerance);
-    expect_alarm(klipper("RESTORE_GCODE_STATE NAME=b\n"), 1, {"no state 'b'"});
+    expect_alarm(klipper("RESTORE_GCODE_STATE NAME=b\n"), 1,
+                 {"[mode]", "RESTORE_GCODE_STATE", "unknown state 'b'"});
 }
 
 TEST(KlipperStates, AnOffsetMovesTheCoordinatesAndTheToolIfAsked) {

@@ -47,8 +47,8 @@ TEST(NgcNumbers, OfToolsRepeatsAndTurnsNeedNotBeExact) {
     ASSERT_EQ(turns.moves.size(), 1U) << turns.message();
     EXPECT_NEAR(turns.moves[0].length_mm, run_ngc("G21 F100\nG2 X2 I1 P3\nM2\n").moves.at(0).length_mm, 1e-9);
     EXPECT_TRUE(run_ngc("T[.1*20] M6\nG43 H[.1*10.0005]\nG41 D[.1*20.0005]\nM2\n").completed());
-    expect_alarm(run_ngc("G21\nT1.001 M6\nM2\n"), 2, {"T is a whole number"});
-    expect_alarm(run("G21\nT[.1*3*10]\nM2\n"), 2, {"T is a whole number"});
+    expect_alarm(run_ngc("G21\nT1.001 M6\nM2\n"), 2, {"[word-value]", "T must be an integer", "1.001"});
+    expect_alarm(run("G21\nT[.1*3*10]\nM2\n"), 2, {"[word-value]", "T must be an integer", "not 3"});
 }
 
 /// LinuxCNC compares exactly, so rounding may leave a last peck of almost zero.
@@ -120,10 +120,10 @@ TEST(NgcComputedCodes, AreThoseWithoutWordsThatActBeforeTheMove) {
         EXPECT_EQ(r.report.status, simulation::RunStatus::alarm) << code;
         EXPECT_EQ(r.line(), 2U) << code;
     }
-    expect_alarm(run_ngc("G21\nG[28]\nM2\n"), 2, {"G28", "write the number out"});
+    expect_alarm(run_ngc("G21\nG[28]\nM2\n"), 2, {"G28", "computed number", "write the number directly"});
     expect_alarm(run_ngc_lua("code('X', 1)"), 1, {"code()"});
     expect_alarm(run_ngc_lua("code('G')"), 1, {"code()"});
-    expect_alarm(run_ngc_lua("code('G', 1/0)"), 1, {"write the number out"});
+    expect_alarm(run_ngc_lua("code('G', 1/0)"), 1, {"Ginf", "computed number", "write the number directly"});
 }
 
 }  // namespace

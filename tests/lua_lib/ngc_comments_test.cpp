@@ -25,14 +25,14 @@ TEST(NgcAbort, InABranchThatIsNotRunIsNone) {
 }
 
 TEST(NgcAbort, NeedsNoText) {
-    expect_alarm(run_ngc("(abort,)\nM2\n"), 1, {"(abort,) without a text"});
+    expect_alarm(run_ngc("(abort,)\nM2\n"), 1, {"(abort,) needs a text"});
 }
 
 TEST(NgcPython, IsRefusedByNameWhereItWouldRun) {
     expect_alarm(run_ngc("(py,this.x = 1)\nM2\n"), 1,
-                 {"(py,) runs Python of the control, which is not supported"});
+                 {"(py,) runs Python of the controller, which is not supported"});
     expect_alarm(run_ngc("(PYRUN,file.py)\nM2\n"), 1,
-                 {"(pyrun,) runs Python of the control, which is not supported"});
+                 {"(pyrun,) runs Python of the controller, which is not supported"});
     EXPECT_TRUE(run_ngc("o1 if [0]\n(py,this.x = 1)\no1 endif\nM2\n").completed());
 }
 
@@ -40,7 +40,7 @@ TEST(NgcPython, ReloadIsReportedOnce) {
     const Outcome r = run_ngc("(pyreload)\nG0 X1\n(pyreload)\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
     ASSERT_EQ(r.report.warnings.size(), 1U);
-    EXPECT_NE(r.report.warnings[0].find("(pyreload) does nothing: there is no Python here"),
+    EXPECT_NE(r.report.warnings[0].find("(pyreload) has no effect: Python is not supported"),
               std::string::npos)
         << r.report.warnings[0];
 }

@@ -10,7 +10,7 @@
 namespace gsim::script::ngc_lathe_test {
 namespace {
 
-constexpr double kSame_mm = 1e-9;
+constexpr double kSamePoint_mm = 1e-9;
 
 /// Returns X of the machine at the end of a program in mm and G7.
 double end_x(const std::string& gcode) {
@@ -35,10 +35,10 @@ TEST(NgcLathe, WordsXAreDiametersFromTheBlockOfG7ToThatOfG8) {
 }
 
 TEST(NgcLathe, HoldsForIncrementsInchesAndMachineCoordinates) {
-    EXPECT_NEAR(end_x("G0 X20\nG91 X6"), 13, kSame_mm);
-    EXPECT_NEAR(end_x("G20\nG0 X2"), 25.4, kSame_mm);
-    EXPECT_NEAR(end_x("G10 L2 P1 X100\nG53 G0 X8"), 4, kSame_mm);
-    EXPECT_NEAR(end_x("G10 L2 P1 X8 Y6 R90\nG0 X20 Y10"), -6, kSame_mm) << "a rotated system";
+    EXPECT_NEAR(end_x("G0 X20\nG91 X6"), 13, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G20\nG0 X2"), 25.4, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G10 L2 P1 X100\nG53 G0 X8"), 4, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G10 L2 P1 X8 Y6 R90\nG0 X20 Y10"), -6, kSamePoint_mm) << "a rotated system";
 }
 
 TEST(NgcLathe, CentresAndRadiiOfArcsAreRadii) {
@@ -47,40 +47,40 @@ TEST(NgcLathe, CentresAndRadiiOfArcsAreRadii) {
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
     for (const std::size_t n : {1U, 2U, 3U}) {
         ASSERT_TRUE(r.moves[n].arc) << n;
-        EXPECT_NEAR(r.moves[n].arc->radius_mm, 10, kSame_mm) << n;
+        EXPECT_NEAR(r.moves[n].arc->radius_mm, 10, kSamePoint_mm) << n;
     }
-    EXPECT_NEAR(r.to(1, 'X'), 20, kSame_mm);
-    EXPECT_NEAR(r.to(2, 'X'), 10, kSame_mm);
-    EXPECT_NEAR(r.moves[3].arc->center[0], 10, kSame_mm) << "I as a point (G90.1)";
+    EXPECT_NEAR(r.to(1, 'X'), 20, kSamePoint_mm);
+    EXPECT_NEAR(r.to(2, 'X'), 10, kSamePoint_mm);
+    EXPECT_NEAR(r.moves[3].arc->center[0], 10, kSamePoint_mm) << "I as a point (G90.1)";
 }
 
 TEST(NgcLathe, PolarTargetsAreRadii) {
-    EXPECT_NEAR(end_x("G0 @10 ^60"), 5, kSame_mm);
-    EXPECT_NEAR(end_x("G0 X20\nG91 G0 @4"), 14, kSame_mm);
-    EXPECT_NEAR(end_x("G0 X4\nG81 @10 ^60 Z-1 R1\nG80"), 5, kSame_mm);
+    EXPECT_NEAR(end_x("G0 @10 ^60"), 5, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G0 X20\nG91 G0 @4"), 14, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G0 X4\nG81 @10 ^60 Z-1 R1\nG80"), 5, kSamePoint_mm);
 }
 
 TEST(NgcLathe, OffsetsAreSetByDiameters) {
     EXPECT_EQ(reported("G10 L2 P2 X25.4\n(debug,%f#5241)"), "0.5000\n");
-    EXPECT_NEAR(end_x("G0 X20\nG92 X8\nG0 X0"), 6, kSame_mm);
-    EXPECT_NEAR(end_x("G52 X10\nG0 X0"), 5, kSame_mm);
-    EXPECT_NEAR(end_x("G0 X20\nG10 L20 P1 X8\nG0 X0"), 6, kSame_mm);
-    EXPECT_NEAR(end_x("G43.1 X4\nG0 X0"), 2, kSame_mm);
-    EXPECT_NEAR(end_x("G10 L1 P1 X6\nG43 H1\nG0 X0"), 3, kSame_mm);
+    EXPECT_NEAR(end_x("G0 X20\nG92 X8\nG0 X0"), 6, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G52 X10\nG0 X0"), 5, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G0 X20\nG10 L20 P1 X8\nG0 X0"), 6, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G43.1 X4\nG0 X0"), 2, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G10 L1 P1 X6\nG43 H1\nG0 X0"), 3, kSamePoint_mm);
     EXPECT_EQ(reported("G10 L1 P1 R2\nT1 M6\n(debug,%f#5410)"), "0.1575\n") << "4 mm: R is a radius";
 }
 
 TEST(NgcLathe, HoldsForHomeProbesThreadsAndSplines) {
     const Outcome home = run_ngc("G21 G7\nG28 X10\nM2\n");
     EXPECT_EQ(home.to(0, 'X'), 5) << "on the way";
-    EXPECT_NEAR(end_x("G38.3 X30"), 15, kSame_mm);
-    EXPECT_NEAR(end_x("S100 M3\nG33 X40 Z-5 K1"), 20, kSame_mm);
-    EXPECT_NEAR(end_x("G5.1 X50 Y10 I4 J4"), 25, kSame_mm);
+    EXPECT_NEAR(end_x("G38.3 X30"), 15, kSamePoint_mm);
+    EXPECT_NEAR(end_x("S100 M3\nG33 X40 Z-5 K1"), 20, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G5.1 X50 Y10 I4 J4"), 25, kSamePoint_mm);
 }
 
 TEST(NgcLathe, CyclesTakeTheirPlaceAndTheirDepthAsDiameters) {
-    EXPECT_NEAR(end_x("G0 Z5\nG81 X20 Z-2 R2\nX8\nG80"), 4, kSame_mm);
-    EXPECT_NEAR(end_x("G91 G81 X4 Z-2 R-1 L3\nG80"), 6, kSame_mm);
+    EXPECT_NEAR(end_x("G0 Z5\nG81 X20 Z-2 R2\nX8\nG80"), 4, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G91 G81 X4 Z-2 R-1 L3\nG80"), 6, kSamePoint_mm);
     const Outcome r = run_ngc("G21 F600\nG7 G19\nG0 X40\nG81 X-10 R12 Y1 Z1\nG80\nM2\n");
     double min = 0, r_level = 0;
     for (std::size_t n = 0; n < r.moves.size(); ++n) {
@@ -88,17 +88,17 @@ TEST(NgcLathe, CyclesTakeTheirPlaceAndTheirDepthAsDiameters) {
         if (r.moves[n].info.kind == simulation::MoveKind::rapid && n > 0 && r_level == 0 && r.to(n, 'X') < 20)
             r_level = r.to(n, 'X');
     }
-    EXPECT_NEAR(min, -5, kSame_mm) << r.message();
-    EXPECT_NEAR(r_level, 12, kSame_mm) << "R is no diameter, though it is along X here";
+    EXPECT_NEAR(min, -5, kSamePoint_mm) << r.message();
+    EXPECT_NEAR(r_level, 12, kSamePoint_mm) << "R is no diameter, though it is along X here";
 }
 
 TEST(NgcLathe, DepthsOfG76AreDiameters) {
     const Outcome r = run_ngc("G21 G18 S100 M3 G7\nG0 X20 Z5\nG76 P1 Z-10 I-1 J0.5 K2 H0\nM2\n");
     double min = 10;
     for (std::size_t n = 0; n < r.moves.size(); ++n) min = std::min(min, r.to(n, 'X'));
-    EXPECT_NEAR(min, 10 - 0.5 - 1, kSame_mm) << "half of I, and half of K";
+    EXPECT_NEAR(min, 10 - 0.5 - 1, kSamePoint_mm) << "half of I, and half of K";
     ASSERT_GT(r.moves.size(), 2U) << r.message();
-    EXPECT_NEAR(r.to(2, 'X'), 10.75 - 0.5 - 1, kSame_mm) << "the first cut is half of J deep";
+    EXPECT_NEAR(r.to(2, 'X'), 10.75 - 0.5 - 1, kSamePoint_mm) << "the first cut is half of J deep";
 }
 
 TEST(NgcLathe, WhatParametersTellIsTheRadius) {
@@ -109,11 +109,11 @@ TEST(NgcLathe, WhatParametersTellIsTheRadius) {
 }
 
 TEST(NgcLathe, IsKeptAndBroughtBack) {
-    EXPECT_NEAR(end_x("M70\nG8\nM72\nG0 X10"), 5, kSame_mm);
-    EXPECT_NEAR(end_x("G8\nM70\nG7\nM72\nG0 X10"), 10, kSame_mm);
-    EXPECT_NEAR(end_x("o1 sub\nM73\nG8\no1 endsub\no1 call\nG0 X10"), 5, kSame_mm);
-    EXPECT_NEAR(end_x("o1 sub\nG8\no1 endsub\no1 call\nG0 X10"), 10, kSame_mm) << "without M73 it stays";
-    EXPECT_NEAR(end_x("#1=8\nG#1\nG0 X10"), 10, kSame_mm) << "by a computed number";
+    EXPECT_NEAR(end_x("M70\nG8\nM72\nG0 X10"), 5, kSamePoint_mm);
+    EXPECT_NEAR(end_x("G8\nM70\nG7\nM72\nG0 X10"), 10, kSamePoint_mm);
+    EXPECT_NEAR(end_x("o1 sub\nM73\nG8\no1 endsub\no1 call\nG0 X10"), 5, kSamePoint_mm);
+    EXPECT_NEAR(end_x("o1 sub\nG8\no1 endsub\no1 call\nG0 X10"), 10, kSamePoint_mm) << "without M73 it stays";
+    EXPECT_NEAR(end_x("#1=8\nG#1\nG0 X10"), 10, kSamePoint_mm) << "by a computed number";
 }
 
 TEST(NgcLathe, CompensationGoesBesideTheHalvedPath) {
@@ -121,11 +121,11 @@ TEST(NgcLathe, CompensationGoesBesideTheHalvedPath) {
     ASSERT_TRUE(r.completed()) << r.message();
     double max = 0;
     for (std::size_t n = 0; n + 1 < r.moves.size(); ++n) max = std::max(max, r.to(n, 'X'));
-    EXPECT_NEAR(max, 29, kSame_mm) << "the tool's radius is 1, left of X30";
+    EXPECT_NEAR(max, 29, kSamePoint_mm) << "the tool's radius is 1, left of X30";
 }
 
 TEST(NgcLathe, OneOfThemStandsInABlock) {
-    EXPECT_NE(diagnostics_text("G7 G8\n", "rs274ngc").find("G7 and G8 are of one modal group"),
+    EXPECT_NE(diagnostics_text("G7 G8\n", "rs274ngc").find("G7 and G8 are in one modal group"),
               std::string::npos);
 }
 

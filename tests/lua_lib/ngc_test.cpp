@@ -114,7 +114,7 @@ TEST(NgcSubroutines, MayStandBelowTheirCallsAndBehindTheEnd) {
 }
 
 TEST(NgcSubroutines, OneThatIsMissingIsNamed) {
-    expect_alarm(run_ngc("G21\no<drill> call [1]\nM2\n"), 2, {"o<drill>", "no such subroutine"});
+    expect_alarm(run_ngc("G21\no<drill> call [1]\nM2\n"), 2, {"o<drill>", "subroutine not found"});
 }
 
 TEST(NgcSubroutines, RepeatsAreRoundedToEven) {
@@ -274,7 +274,7 @@ TEST(NgcModes, SurfaceSpeedAtX0WithoutALimitIsNoAlarm) {
     EXPECT_EQ(r.moves.size(), 1U);
     const auto& warnings = r.report.warnings;
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-        return warning.find("highest speed") != std::string::npos;
+        return warning.find("G96 at X0: the speed has no maximum and is set to 0") != std::string::npos;
     }));
 }
 

@@ -173,15 +173,16 @@ TEST(ObliqueArcs, CompensationLeadsTheToolBesideThem) {
 
 // A rotation belongs to its work coordinate system, and comes back with it.
 TEST(ObliqueArcs, ARotationThatTurnsThePlaneOfCompensationIsRefused) {
-    expect_alarm(
-        run("G54 G19\nG68 Y0 Z0 R30\nG55 G17 G0 X0 Y0\nG41 D1 G1 X20 Y20 F1000\nX60\nG54\nX80\n",
-            with_tools()),
-        6, {"a rotation that turns its plane is not possible while cutter compensation is on; G40 first"});
+    expect_alarm(run("G54 G19\nG68 Y0 Z0 R30\nG55 G17 G0 X0 Y0\nG41 D1 G1 X20 Y20 F1000\nX60\nG54\nX80\n",
+                     with_tools()),
+                 6,
+                 {"a rotation that turns its plane is not possible while cutter compensation is on; program "
+                  "G40 first"});
 }
 
 TEST(ObliqueArcs, AnEllipseIsStillRefused) {
     expect_alarm(run("F1000 G14 I2\nG19 G68 Y0 Z0 R40\nG0 X20 Y10 Z0\nG17 G3 X10 Y20 I-10\n"), 4,
-                 {"an arc becomes an ellipse where its two axes are scaled differently"});
+                 {"an arc becomes an ellipse if its two axes are scaled differently"});
 }
 
 }  // namespace

@@ -92,26 +92,25 @@ TEST(Points, AxesThatTheMachineDoesNotHaveAreLeftOut) {
 }
 
 TEST(Points, OnesThatAreNotThere) {
+    expect_alarm(run_ab9("M0()\nG53() G0(fixed \"VISE\")"), 2,
+                 {"fixed \"VISE\": no fixed point has that name; available: 1 (CLAMP1), 3. A line of section "
+                  "FIXED of the machine data defines one: number X Y Z NAME=VISE"});
     expect_alarm(
-        run_ab9("M0()\nG53() G0(fixed \"VISE\")"), 2,
-        {"fixed \"VISE\": no fixed point has that name; there are 1 (CLAMP1), 3. A line of section FIXED of "
-         "the machine data gives one: number X Y Z NAME=VISE"});
-    expect_alarm(run_ab9("G53() G0(reference(7))"), 1,
-                 {"reference(7): no reference point has that number; there are 2 (Clamp1). A line of section "
-                  "REFERENCE "
-                  "of the machine data gives one: number X Y Z"});
+        run_ab9("G53() G0(reference(7))"), 1,
+        {"reference(7): no reference point has that number; available: 2 (Clamp1). A line of section "
+         "REFERENCE of the machine data defines one: number X Y Z"});
     expect_alarm(run_ab9("fixed(1.5)"), 1, {"fixed(1.5): no fixed point has that number"});
     expect_alarm(run_ab9("fixed \"3\""), 1, {"no fixed point has that name"});
-    expect_alarm(run_lua("fixed(1)"), 1, {"fixed(1): no fixed point has that number; there are none."});
+    expect_alarm(run_lua("fixed(1)"), 1, {"fixed(1): no fixed point has that number; none are defined."});
     for (const char* call : {"fixed()", "fixed{}", "fixed(v[1])"})
         expect_alarm(run_ab9(call), 1,
-                     {"fixed takes the name of a fixed point or its number: fixed \"CLAMP1\", fixed(1)"});
+                     {"fixed needs the name or the number of a fixed point: fixed \"CLAMP1\", fixed(1)"});
 }
 
 TEST(Points, OfManyTheFirstOnesAreTold) {
     Conditions setup;
     for (int number = 1; number <= 13; ++number) setup.options.data.fixed[number] = {{'X', 0}};
-    expect_alarm(run_lua("fixed(99)", setup), 1, {"there are 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 and 3 more."});
+    expect_alarm(run_lua("fixed(99)", setup), 1, {"available: 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 and 3 more."});
 }
 
 }  // namespace

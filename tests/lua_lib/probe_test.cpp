@@ -58,8 +58,8 @@ TEST(Probe, MayAnswerWithAPartOfTheWay) {
 
 TEST(Probe, FindingNothingIsAnAlarmWhereItMust) {
     const std::string nothing = "on_probe(function() return nil end)\nG21() F(100)\n";
-    expect_alarm(run_ngc_lua(nothing + "G38_2{x=5}"), 3, {"G38.2", "touched"});
-    expect_alarm(run_ngc_lua(nothing + "G38_4{x=5}"), 3, {"G38.4", "come free"});
+    expect_alarm(run_ngc_lua(nothing + "G38_2{x=5}"), 3, {"[probe]", "G38.2", "not made contact"});
+    expect_alarm(run_ngc_lua(nothing + "G38_4{x=5}"), 3, {"[probe]", "G38.4", "not lost contact"});
     const Outcome r = run_ngc_lua(nothing + "G38_5{x=5} DEBUG('%f %f', v[5061], v[5070])");
     EXPECT_EQ(debug_texts(r), "5.000000 0.000000\n");
 }
@@ -67,11 +67,11 @@ TEST(Probe, FindingNothingIsAnAlarmWhereItMust) {
 TEST(Probe, AnAnswerBesideTheWayIsRefused) {
     const std::string head = "G21() F(100)\n";
     expect_alarm(run_ngc_lua(head + "on_probe(function() return {x=2, y=1} end) G38_2{x=5}"), 2,
-                 {"beside the way", "Y"});
+                 {"[probe]", "1 off the path", "Y"});
     expect_alarm(run_ngc_lua(head + "on_probe(function() return {x=6} end) G38_2{x=5}"), 2,
-                 {"outside the way"});
+                 {"[probe]", "outside the path", "1.2"});
     expect_alarm(run_ngc_lua(head + "on_probe(function() return 'here' end) G38_2{x=5}"), 2,
-                 {"answers with"});
+                 {"[probe]", "must be a point"});
 }
 
 TEST(Probe, TouchesAtItsTargetWhereNothingIsSaid) {
@@ -86,9 +86,9 @@ TEST(Probe, TouchesAtItsTargetWhereNothingIsSaid) {
     EXPECT_NEAR(r.to(4, 'Y'), 1, 1e-9);
     EXPECT_EQ(
         r.report.warnings,
-        std::vector<std::string>{"probes touch at their targets, as nothing says what they meet: a cell "
-                                 "(--cell), a plane (--probe z=-3.2), or a script (on_probe); --probe none "
-                                 "lets them pass"});
+        std::vector<std::string>{
+            "probes touch at their targets, because nothing defines their contact: use a cell (--cell), a "
+            "plane (--probe z=-3.2), or a script (on_probe); with --probe none they never touch"});
 }
 
 TEST(Probe, NoMoveIsAddedBehindIt) {
@@ -137,9 +137,9 @@ TEST(Probe, APlaneIsLeftAgain) {
 TEST(Probe, ContactAsWantedBeforehandIsAnAlarmWhereItMustBeFound) {
     const std::string touched = "G21 F600\nG38.2 Z-20\n";
     expect_alarm(run_ngc(touched + "G38.2 Z-30\nM2\n", at_plane('z', -3)), 3,
-                 {"G38.2 goes to what the probe is to touch, and it touches already where it begins"});
+                 {"G38.2 moves to a contact, but the probe already has contact at the start"});
     expect_alarm(run_ngc(touched + "G0 Z5\nG38.4 Z9\nM2\n", at_plane('z', -3)), 4,
-                 {"G38.4 goes away from what the probe touches, and it touches nothing where it begins"});
+                 {"G38.4 moves away from a contact, but the probe has no contact at the start"});
     const Outcome r = run_ngc(touched + "G38.3 Z-30\n(debug,%.1f#5070)\nM2\n", at_plane('z', -3));
     EXPECT_EQ(debug_texts(r), "1.0\n");
     EXPECT_EQ(r.moves.size(), 1U);
@@ -148,9 +148,9 @@ TEST(Probe, ContactAsWantedBeforehandIsAnAlarmWhereItMustBeFound) {
 TEST(Probe, NothingFoundIsAnAlarmAsOnTheControl) {
     const Conditions nothing = on_built_in({.kind = ProbeSurface::Kind::none});
     expect_alarm(run_ngc("G21 F600\nG38.2 Z-20\nM2\n", nothing), 2,
-                 {"G38.2 has come to its end, and the probe has not touched anything"});
+                 {"G38.2 has reached its end, but the probe has not made contact"});
     expect_alarm(run_ngc("G21 F600\nG38.4 Z-20\nM2\n", nothing), 2,
-                 {"G38.4 has come to its end, and the probe has not come free"});
+                 {"G38.4 has reached its end, but the probe has not lost contact"});
     const Outcome r = run_ngc(
         "G21 F600\nG38.3 Z-20\n(debug,%.1f#5063 #5070)\nG38.5 Z0\n(debug,%.1f#5063 "
         "#5070)\nM2\n",

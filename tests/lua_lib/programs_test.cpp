@@ -55,13 +55,13 @@ TEST(Programs, AComputedJumpInALoopReachesTheBlocksOfTheLoop) {
     expect_end(inside, 0, 20, 0);
     EXPECT_EQ(inside.moves.size(), 2U);
     expect_end(with(30), 0, 0, 5);
-    expect_alarm(with(40), 4, {"GOTO 40: no block of this program has that number"});
+    expect_alarm(with(40), 4, {"[jump]", "GOTO 40", "no block with that number"});
     // From an inner loop to a block of the outer one, and into a loop from outside.
     expect_end(
         run("#9=20\nWHILE [#1 LT 3] DO1\n#1=#1+1\nWHILE [1 EQ 1] DO2\nGOTO #9\nEND2\nN20 G91 G0 X1\nEND1\n"),
         3, 0, 0);
     expect_alarm(run("#9=20\nGOTO #9\nWHILE [#1 LT 1] DO1\n#1=#1+1\nN20 G0 X1\nEND1\n"), 2,
-                 {"does not lead into loops from outside"});
+                 {"[jump]", "GOTO 20", "cannot enter a loop from outside"});
 }
 
 TEST(Programs, ACallInALoopGoesOnAtABlockOfTheLoop) {
@@ -83,19 +83,19 @@ TEST(Programs, AMissingOneIsAnAlarm) {
     expect_alarm(run("O1\nG0 X1\nM98 P[1.5]\nM2\n"), 3, {"P", "1.5"});
     expect_alarm(run("O1\nG0 X1\nM98 P1 L[0-1]\nM2\n"), 3, {"L", "-1"});
     expect_alarm(run("O1\nG0 X1\nM98 P#5\nM2\n"), 3, {"P"});
-    expect_alarm(run("O1\nG0 X1\nM98 P[EXP[700]]\nM2\n"), 3, {"P", "whole number"});
+    expect_alarm(run("O1\nG0 X1\nM98 P[EXP[700]]\nM2\n"), 3, {"[word-value]", "P of M98", "integer"});
     // 2^32 + 1 is not program 1.
-    expect_alarm(run("O1\nG0 X1\nM98 P[4294967296+1]\nM2\n"), 3, {"P", "whole number"});
+    expect_alarm(run("O1\nG0 X1\nM98 P[4294967296+1]\nM2\n"), 3,
+                 {"[word-value]", "P of M98", "integer", "4294967297"});
 }
 
 TEST(Programs, OneIsFoundBesideTheFile) {
     Conditions setup;
-    setup.options.find_program =
-        [](const std::string& number) -> tl::expected<std::optional<Script>, std::string> {
+    setup.options.find_program = [](const std::string& number) -> Result<std::optional<Script>> {
         if (number == "7")
             return Script::from_text("local _ENV = require \"gsim\" program(nil, function()\nG0{x=7.0}\nend)",
                                      "O0007.nc", -1);
-        if (number == "8") return tl::unexpected(std::string("it is broken"));
+        if (number == "8") return Unexpected("it is broken");
         return std::nullopt;
     };
     const Outcome r = run("O1\nM98 P7\nM98 P7\nM98 P8\nM2\n", setup);
@@ -201,7 +201,7 @@ TEST(Programs, BlockDelete) {
 
 TEST(Programs, OptionalStopIsAnEventEitherWay) {
     Conditions setup;
-    EXPECT_EQ(run("M1\n").report.events.at(0).detail, "off: passed over");
+    EXPECT_EQ(run("M1\n").report.events.at(0).detail, "off: skipped");
     setup.options.optional_stop = true;
     EXPECT_EQ(run("M1\n", setup).report.events.at(0).detail, "");
 }

@@ -28,7 +28,7 @@ TEST(Reference, TheWheelOnTheCalibratedMachine) {
     Conditions setup;
     setup.machine = machine::load_machine(kSource / "samples/machines/af5-measured.toml").value();
     for (const auto& [independent_ramps, time_s] : {std::pair{true, 129.99}, std::pair{false, 131.44}}) {
-        setup.machine.controller.independent_ramps = independent_ramps;
+        setup.machine.controller.coordination.independent_ramps = independent_ramps;
         const Outcome r = run(read_file_text(kSource / "samples/wheel.nc"), setup);
         ASSERT_TRUE(r.completed()) << r.message();
         EXPECT_NEAR(r.report.cycle_time_s, time_s, time_s * 0.0005);
@@ -44,7 +44,7 @@ TEST(Reference, AppendixJAsWritten) {
     if (!fs::is_regular_file(path)) GTEST_SKIP() << "no appendix_j.nc in the folder GSIM_REFERENCE";
     Conditions setup;
     for (const auto& [independent_ramps, time_s] : {std::pair{true, 1635.5}, std::pair{false, 1653.2}}) {
-        setup.machine.controller.independent_ramps = independent_ramps;
+        setup.machine.controller.coordination.independent_ramps = independent_ramps;
         const Outcome r = run(read_file_text(path), setup);
         ASSERT_TRUE(r.completed()) << r.message();
         EXPECT_NEAR(r.report.feed_mm, 6752.81, 0.02);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/text/diagnostic_kind.h"
 #include "codegen/translate.h"
 #include "engine/src/run/word_table.h"
 #include "machine/file/machine_file.h"
@@ -46,6 +47,17 @@ void expect_same(const Outcome& full, const Outcome& in_functions) {
     }
 }
 
+/// The code of the alarm in brackets, "[word-value]", or nothing without an alarm.
+std::string code(const Outcome& run) {
+    if (!run.report.alarm) return {};
+    return "[" + std::string(text::diagnostic_code(run.report.alarm->kind)) + "]";
+}
+
+/// True if the text is in the message of the alarm, or is its code in brackets.
+bool tells(const Outcome& run, const std::string& text) {
+    return text.starts_with('[') ? code(run) == text : run.message().find(text) != std::string::npos;
+}
+
 }  // namespace
 
 double Outcome::to(std::size_t n, char letter) const {
@@ -81,11 +93,12 @@ Outcome run_script(Script script, Conditions setup) {
     simulation::Simulator simulator(result.machine, setup.limits);
     Collector collector(result);
     simulator.add_output(collector);
-    simulator.set_probe(setup.probe);
-    if (!setup.overrides.changes().empty()) simulator.set_overrides(setup.overrides);
+    simulator.probing().set_surface(setup.probe);
+    if (!setup.overrides.changes().empty()) simulator.motion().set_overrides(setup.overrides);
     const std::string name = script.file_name;
     {
-        setup.options.codes = engine::word_table(*grammar::find_dialect(setup.options.dialect));
+        if (setup.options.codes.empty())
+            setup.options.codes = engine::word_table(*grammar::find_dialect(setup.options.dialect));
         Engine engine(simulator, std::move(setup.options));
         engine.run(std::move(script));
         result.report = simulator.finish(name);
@@ -135,13 +148,14 @@ void expect_alarm(const Outcome& run, std::uint32_t line, const std::vector<std:
     EXPECT_EQ(run.report.status, simulation::RunStatus::alarm) << run.lua;
     EXPECT_EQ(run.line(), line) << run.message() << "\n" << run.lua;
     for (const std::string& text : texts)
-        EXPECT_NE(run.message().find(text), std::string::npos)
-            << "wanted: " << text << "\ngot: " << run.message();
+        EXPECT_TRUE(tells(run, text)) << "wanted: " << text << "\ngot: " << code(run) << " " << run.message();
 }
 
 void expect_alarm(const Outcome& run, const std::string& text) {
     EXPECT_EQ(run.report.status, simulation::RunStatus::alarm) << run.lua;
-    EXPECT_NE(run.message().find(text), std::string::npos) << run.message() << "\n" << run.lua;
+    EXPECT_TRUE(tells(run, text)) << "wanted: " << text << "\ngot: " << code(run) << " " << run.message()
+                                  << "\n"
+                                  << run.lua;
 }
 
 void expect_stopped(const Outcome& run, const std::string& text) {

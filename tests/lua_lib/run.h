@@ -71,7 +71,7 @@ inline constexpr double kTurn_deg_s2 = 20;
 
 /// The run ends without an alarm at these axis values, to 1e-6 mm or deg.
 void expect_end(const Outcome& run, double x, double y, double z, double b = 0, double c = 0);
-/// The run ends with an alarm in that line, and all these texts are in its message.
+/// The run ends with an alarm in that line; each text is in its message, or is its code: "[word-value]".
 void expect_alarm(const Outcome& run, std::uint32_t line, const std::vector<std::string>& texts);
 /// The same in any line.
 void expect_alarm(const Outcome& run, const std::string& text);

@@ -84,9 +84,9 @@ TEST(SidesThatChange, AtTheMeetingPointOfTwoCircles) {
 TEST(OpenAngles, NeedTheLineThatEndsThem) {
     const std::string start = "F600\nG0 X0 Y0\nG1 ,A30\n";
     for (const char* next : {"G0 X10\n", "G2 X10 Y0 I5 J0\n", "M30\n"}) {
-        expect_alarm(run(start + next), 4, {",A without an end needs a next block with ,A"});
+        expect_alarm(run(start + next), 4, {"[corner]", ",A without an end", "a next block with ,A"});
     }
-    expect_alarm(run("F600\nG2 X10 Y0 I5 J0\nX5 ,A30\n"), ",A belongs to straight moves (G0, G1)");
+    expect_alarm(run("F600\nG2 X10 Y0 I5 J0\nX5 ,A30\n"), ",A applies to straight moves (G0, G1)");
     expect_alarm(run("F600\nG0 X10 Y0\nG16\nG1 X5 Y30 ,A30\n"), 4, {"polar programming (G16)"});
     expect_alarm(run("F600\nG1 X5 ,A30 U3\n"), 2, {"not with the increment U"});
 }
@@ -103,10 +103,9 @@ TEST(SeldomNgc, G10WritesTheWholeToolAndRefusesAnOrientationThatIsNone) {
         run_ngc("G21\nG10 L1 P1 Z12 R4 I30 J-30 Q3\nT1 M6 G43\n(debug,#5403 #5410 #5411 #5412 #5413)\n");
     EXPECT_EQ(debug_texts(r), "0.472441 0.314961 30.000000 -30.000000 3.000000\n")
         << "12 mm and twice 4 mm in the unit of parameters, inches";
-    expect_alarm(run_ngc("G10 L1 P1 Q10\n"),
-                 "Q of G10 L1 is the orientation of a tool, a whole number from 0 to 9");
+    expect_alarm(run_ngc("G10 L1 P1 Q10\n"), "Q of G10 L1 (tool orientation) must be an integer from 0 to 9");
     expect_alarm(run_ngc("G10 L1 P1 Q1.5\n"),
-                 "Q of G10 L1 is the orientation of a tool, a whole number from 0 to 9");
+                 "Q of G10 L1 (tool orientation) must be an integer from 0 to 9");
 }
 
 }  // namespace

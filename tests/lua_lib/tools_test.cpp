@@ -55,7 +55,7 @@ TEST(ToolsNgc, NumbersThatTheTableDoesNotKnow) {
     expect_alarm(run_rs274("G43{h=5}"), "H5");
     expect_alarm(run_rs274("M61{q=5}"), "Q5");
     expect_alarm(run_rs274("M61()"), "needs Q");
-    expect_alarm(run_rs274("T(1.5)"), "whole number");
+    expect_alarm(run_rs274("T(1.5)"), 1, {"[word-value]", "T must be an integer", "1.5"});
 }
 
 // Missing lengths can be taken as 0, a missing diameter cannot.
@@ -87,8 +87,8 @@ TEST(ToolsAb9, NumbersOfToolsAreNotThoseOfOffsets) {
     EXPECT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.events(), "tool_select tool_change");
     expect_alarm(run_ab9("G43{h=5}"), "it has 1, 2");
-    expect_alarm(run_ab9("H(-1)"), "whole number");
-    expect_alarm(run_ab9("D(0.5)"), "whole number");
+    expect_alarm(run_ab9("H(-1)"), 1, {"[word-value]", "H must be an integer", "-1"});
+    expect_alarm(run_ab9("D(0.5)"), 1, {"[word-value]", "D must be an integer", "0.5"});
 }
 
 }  // namespace

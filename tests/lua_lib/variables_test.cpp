@@ -57,7 +57,7 @@ TEST(Expressions, OutOfTheirDomain) {
         EXPECT_EQ(r.report.status, simulation::RunStatus::alarm) << expression;
         EXPECT_EQ(r.line(), 1U) << expression;
     }
-    expect_alarm(run("G0 X[EXP[1000]]\n"), 1, {"X", "no number"});
+    expect_alarm(run("G0 X[EXP[1000]]\n"), 1, {"X", "not a number"});
 }
 
 TEST(Variables, VacantCountsAsZeroInArithmeticAndComparison) {

@@ -60,9 +60,9 @@ TEST(Violations, AllAreListedInOnePassAndTheRunGoesOn) {
         {{2, 'X', -5, 0}, {2, 'Y', -2, 0}, {3, 'Y', -2, 0}, {4, 'Y', 2500, 2438.4}, {5, 'B', -400, -360}});
     ASSERT_TRUE(run.report.violations.valid_until_s());
     EXPECT_EQ(*run.report.violations.valid_until_s(), run.moves[0].end_s);
-    EXPECT_EQ(run.report.violations.list[0].message, "axis X goes to -5 mm, 5 mm past its limit of 0 mm");
+    EXPECT_EQ(run.report.violations.list[0].message, "axis X moves to -5 mm, 5 mm past its limit of 0 mm");
     EXPECT_EQ(run.report.violations.list[4].message,
-              "axis B goes to -400 deg, 40 deg past its limit of -360 deg");
+              "axis B moves to -400 deg, 40 deg past its limit of -360 deg");
     // The time is that of the same machine with wider ranges.
     Conditions wide = continues();
     for (machine::Axis& axis : wide.machine.axes) axis.min = -1e4, axis.max = 1e4;
@@ -93,7 +93,7 @@ TEST(Violations, TheListIsBoundedAndTheCountIsNot) {
 
 TEST(Violations, StopAtFirstEndsTheRunThere) {
     const Outcome run = script::run("G0 X10\nG1 X-5 F6000\nG1 X-6\n");
-    expect_alarm(run, 2, {"axis X would go to -5 mm, past its limit of 0 mm"});
+    expect_alarm(run, 2, {"axis X would move to -5 mm, past its limit of 0 mm"});
     EXPECT_TRUE(run.report.violations.list.empty());
     EXPECT_EQ(run.moves.size(), 1U);
 }
@@ -130,7 +130,7 @@ TEST(Violations, EachEntryIntoAForbiddenZone) {
     EXPECT_EQ(run.report.violations.list[0].zone, "security zone 1");
     EXPECT_EQ(
         run.report.violations.list[0].message,
-        "the tool enters security zone 1: it goes 40 mm past the wall at X 100 mm, and must stay outside");
+        "the tool enters security zone 1: it moves 40 mm past the limit at X 100 mm, and must stay outside");
     EXPECT_EQ(run.moves.size(), 5U);
 }
 
@@ -141,9 +141,8 @@ TEST(Violations, OneMoveInAndOutTwice) {
     ASSERT_EQ(run.report.violations.list.size(), 2U);
     expect_list(run, {{1, 'X', 0, 100}, {3, 'X', 90, 100}});
     EXPECT_EQ(run.report.violations.list[0].message,
-              "the tool is not inside security zone 1 when that comes into force: it goes 100 mm past the "
-              "wall at X 100 "
-              "mm, and must stay inside");
+              "the tool is not inside security zone 1 when that becomes active: it moves 100 mm past the "
+              "limit at X 100 mm, and must stay inside");
 }
 
 TEST(Violations, ShiftsThatBringAllBack) {

@@ -40,7 +40,7 @@ TEST_P(WordKeys, AreThoseOfTheDialect) {
         if (keys.empty() || code.support != grammar::Support::full || checks_words_itself(code)) continue;
         const Outcome r = run_lua(fmt::format("{}{{[\"%\"]=1}}", grammar::lua_name(code)), setup);
         EXPECT_EQ(r.message(),
-                  fmt::format("'%' is no word that {} takes; it takes {}", grammar::code_name(code), keys));
+                  fmt::format("'%' is not a word of {}; it accepts {}", grammar::code_name(code), keys));
         ++checked_bodies;
     }
     EXPECT_GT(checked_bodies, 30U);
@@ -61,7 +61,7 @@ TEST_P(WordKeys, AndSoIsWhatCompensationRefuses) {
         const bool is_rejected = code.compensation == Compensation::rejected ||
                                  code.compensation == Compensation::refused_next_to_path;
         EXPECT_EQ(message == grammar::code_name(code) +
-                                 " is not possible while cutter compensation is on; G40 first",
+                                 " is not possible while cutter compensation is on; program G40 first",
                   is_rejected)
             << message;
         if (is_rejected) ++checked_bodies;
@@ -76,25 +76,24 @@ std::string said(const std::string& script) {
 }
 
 TEST(WordAdvice, SaysWhatToWrite) {
-    EXPECT_EQ(said("G1{X=100}"), "'X' is no word that this motion takes; write x");
-    EXPECT_EQ(said("G2{x=1, I=2}"), "'I' is no word that this motion takes; write i");
-    EXPECT_EQ(said("G28{X=1}"), "'X' is no word that G28 takes; write x");
-    EXPECT_EQ(said("M98{P=1}"), "'P' is no word that M98 takes; write p");
+    EXPECT_EQ(said("G1{X=100}"), "'X' is not a word of this motion; write x");
+    EXPECT_EQ(said("G2{x=1, I=2}"), "'I' is not a word of this motion; write i");
+    EXPECT_EQ(said("G28{X=1}"), "'X' is not a word of G28; write x");
+    EXPECT_EQ(said("M98{P=1}"), "'P' is not a word of M98; write p");
     EXPECT_EQ(said("F(50) G1{x=10, f=100}"),
-              "'f' is no word that this motion takes; the feed is a word of its own, F(100)");
+              "'f' is not a word of this motion; the feed is a separate word, F(100)");
     EXPECT_EQ(said("G0{x=10, S=2500}"),
-              "'S' is no word that this motion takes; the spindle speed is a word of its own, S(2500)");
-    EXPECT_EQ(said("G0{q=1}"), "'q' is no word that this motion takes; it takes x, y, z, b, c");
-    EXPECT_EQ(said("G28{radios=1}"), "'radios' is no word that G28 takes; did you mean radius?");
+              "'S' is not a word of this motion; the spindle speed is a separate word, S(2500)");
+    EXPECT_EQ(said("G0{q=1}"), "'q' is not a word of this motion; it accepts x, y, z, b, c");
+    EXPECT_EQ(said("G28{radios=1}"), "'radios' is not a word of G28; did you mean radius?");
 }
 
 TEST(Choices, TellAllWordsAndTheNearest) {
     EXPECT_EQ(said("rrs.SelectMotionType(\"Linear\")"),
-              "bad argument #1 to 'SelectMotionType' ('Linear' is none of \"joint\", \"linear\", "
-              "\"circular\"; did you "
-              "mean \"linear\"?)");
+              "bad argument #1 to 'SelectMotionType' ('Linear' must be one of \"joint\", \"linear\", "
+              "\"circular\"; did you mean \"linear\"?)");
     EXPECT_EQ(said("rrs.SelectTargetType(\"xy\")"),
-              "bad argument #1 to 'SelectTargetType' ('xy' is none of \"cartesian\", \"joint\")");
+              "bad argument #1 to 'SelectTargetType' ('xy' must be one of \"cartesian\", \"joint\")");
 }
 
 TEST(Errors, NameTheFunctionHoweverItIsCalled) {

@@ -34,7 +34,7 @@ TEST(BuiltInControllers, AreThoseOfTheSamples) {
     for (const std::string_view name : built_in_controllers()) {
         const auto file =
             os::read_text_file(tests::source_path("samples/controllers/") + std::string(name) + ".toml");
-        ASSERT_TRUE(file) << file.error();
+        ASSERT_TRUE(file) << file.error().message;
         EXPECT_EQ(built_in_controller_toml(name), *file);
         EXPECT_EQ(built_in_controller(name).value().model, name);
     }
@@ -50,71 +50,71 @@ TEST(BuiltInControllers, ExactStopIsWhatHoldsWithoutAController) {
 TEST(BuiltInControllers, Ab9StopsInExactPathModeAlone) {
     const ControllerRules rules = built_in_controller("ab9").value();
     EXPECT_EQ(rules.planner, PlannerKind::look_ahead);
-    EXPECT_EQ(rules.look_ahead_blocks, 40u);
-    EXPECT_EQ(rules.corner, CornerRule::velocity_step);
-    EXPECT_EQ(rules.exact_path_corner, CornerRule::stop);
-    EXPECT_TRUE(rules.stop_between_rapid_and_feed);
-    EXPECT_NEAR(rules.centripetal_share, std::sqrt(0.75), 1e-4);  // half of the limit is left
-    EXPECT_EQ(rules.settle_s, 0);
+    EXPECT_EQ(rules.blocks.look_ahead, 40u);
+    EXPECT_EQ(rules.corners.continuous, CornerRule::velocity_step);
+    EXPECT_EQ(rules.corners.exact_path, CornerRule::stop);
+    EXPECT_TRUE(rules.corners.stop_between_rapid_and_feed);
+    EXPECT_NEAR(rules.ramps.centripetal_share, std::sqrt(0.75), 1e-4);  // half of the limit is left
+    EXPECT_EQ(rules.position_loop.settle_s, 0);
 }
 
 TEST(BuiltInControllers, LinuxcncCountsInServoCycles) {
     const ControllerRules rules = built_in_controller("linuxcnc-2.9").value();
     EXPECT_EQ(rules.planner, PlannerKind::linuxcnc);
-    EXPECT_EQ(rules.look_ahead_blocks, 50u);
-    EXPECT_EQ(rules.servo_period_s, 0.001);
-    EXPECT_EQ(rules.dwell_s, 0.0035);
-    EXPECT_TRUE(rules.stop_between_rapid_and_feed);
-    EXPECT_EQ(rules.linuxcnc_release, LinuxcncRelease::v2_9);
+    EXPECT_EQ(rules.blocks.look_ahead, 50u);
+    EXPECT_EQ(rules.position_loop.servo_period_s, 0.001);
+    EXPECT_EQ(rules.standstill.dwell_s, 0.0035);
+    EXPECT_TRUE(rules.corners.stop_between_rapid_and_feed);
+    EXPECT_EQ(rules.linuxcnc.release, LinuxcncRelease::v2_9);
 }
 
 TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
     const ControllerRules rules = built_in_controller("grbl-1.1").value();
     EXPECT_EQ(rules.planner, PlannerKind::look_ahead);
-    EXPECT_EQ(rules.look_ahead_blocks, 15u);
-    EXPECT_EQ(rules.corner, CornerRule::junction_deviation);
-    EXPECT_EQ(rules.exact_path_corner, CornerRule::junction_deviation);
-    EXPECT_EQ(rules.junction_deviation_mm, 0.01);
-    EXPECT_FALSE(rules.stop_between_rapid_and_feed);
-    EXPECT_EQ(rules.centripetal_share, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(rules.arc_chord_tolerance_mm, 0.002);
-    EXPECT_TRUE(rules.inverse_time_per_chord);
-    EXPECT_EQ(rules.min_feed_mm_min, 1);
-    EXPECT_EQ(rules.dwell_step_s, 0.05);
-    EXPECT_EQ(rules.dwell_s, 0);
+    EXPECT_EQ(rules.blocks.look_ahead, 15u);
+    EXPECT_EQ(rules.corners.continuous, CornerRule::junction_deviation);
+    EXPECT_EQ(rules.corners.exact_path, CornerRule::junction_deviation);
+    EXPECT_EQ(rules.corners.junction_deviation_mm, 0.01);
+    EXPECT_FALSE(rules.corners.stop_between_rapid_and_feed);
+    EXPECT_EQ(rules.ramps.centripetal_share, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(rules.curves.arc_chord_tolerance_mm, 0.002);
+    EXPECT_TRUE(rules.curves.inverse_time_per_chord);
+    EXPECT_EQ(rules.blocks.min_feed_mm_min, 1);
+    EXPECT_EQ(rules.standstill.dwell_step_s, 0.05);
+    EXPECT_EQ(rules.standstill.dwell_s, 0);
 }
 
 TEST(BuiltInControllers, GrblHalLooksFurtherAndCountsAllAxesAlike) {
     const ControllerRules rules = built_in_controller("grblhal").value();
-    EXPECT_EQ(rules.look_ahead_blocks, 100u);
-    EXPECT_EQ(rules.corner, CornerRule::junction_deviation);
-    EXPECT_EQ(rules.path_measure, rrs::PathMeasure::all_axes);
-    EXPECT_EQ(rules.feed_measure, rrs::PathMeasure::all_axes);
-    EXPECT_EQ(rules.spline_chord_tolerance_mm, 0.1);
-    EXPECT_EQ(rules.ramp_step_s, 0.01);
-    EXPECT_FALSE(rules.limit_jerk);
-    EXPECT_EQ(rules.peck_dwell_s, 0.25);
-    EXPECT_TRUE(rules.pecks_feed_down);
-    EXPECT_FALSE(rules.boring_cycles);
+    EXPECT_EQ(rules.blocks.look_ahead, 100u);
+    EXPECT_EQ(rules.corners.continuous, CornerRule::junction_deviation);
+    EXPECT_EQ(rules.blocks.path_measure, rrs::PathMeasure::all_axes);
+    EXPECT_EQ(rules.blocks.feed_measure, rrs::PathMeasure::all_axes);
+    EXPECT_EQ(rules.curves.spline_chord_tolerance_mm, 0.1);
+    EXPECT_EQ(rules.ramps.step_s, 0.01);
+    EXPECT_FALSE(rules.ramps.limit_jerk);
+    EXPECT_EQ(rules.drilling.peck_dwell_s, 0.25);
+    EXPECT_TRUE(rules.drilling.pecks_feed_down);
+    EXPECT_FALSE(rules.drilling.boring_cycles);
 }
 
 TEST(BuiltInControllers, BlendRoundsCornersAndKeepsJerks) {
     const ControllerRules rules = built_in_controller("blend").value();
-    EXPECT_EQ(rules.corner, CornerRule::smooth_blend);
-    EXPECT_EQ(rules.exact_path_corner, CornerRule::velocity_step);
-    EXPECT_TRUE(rules.limit_jerk);
-    EXPECT_EQ(rules.blend_tolerance_mm, 0.05);
-    EXPECT_EQ(rules.position_gain_1_s, 33.3);
+    EXPECT_EQ(rules.corners.continuous, CornerRule::smooth_blend);
+    EXPECT_EQ(rules.corners.exact_path, CornerRule::velocity_step);
+    EXPECT_TRUE(rules.ramps.limit_jerk);
+    EXPECT_EQ(rules.corners.blend_tolerance_mm, 0.05);
+    EXPECT_EQ(rules.position_loop.gain_1_s, 33.3);
 }
 
 TEST(BuiltInControllers, KlipperHasItsDefaultsAndNoOverrides) {
     const ControllerRules rules = built_in_controller("klipper").value();
     EXPECT_EQ(rules.planner, PlannerKind::klipper);
-    EXPECT_EQ(rules.square_corner_velocity_mm_s, 5);
-    EXPECT_EQ(rules.minimum_cruise_ratio, 0.5);
-    EXPECT_EQ(rules.arc_resolution_mm, 1);
-    EXPECT_EQ(rules.retract_length_mm, 0);
-    EXPECT_FALSE(rules.stop_between_rapid_and_feed);
+    EXPECT_EQ(rules.klipper.square_corner_velocity_mm_s, 5);
+    EXPECT_EQ(rules.klipper.minimum_cruise_ratio, 0.5);
+    EXPECT_EQ(rules.klipper.arc_resolution_mm, 1);
+    EXPECT_EQ(rules.retraction.length_mm, 0);
+    EXPECT_FALSE(rules.corners.stop_between_rapid_and_feed);
     EXPECT_EQ(rules.overrides.feed_min_percent, 100);
     EXPECT_EQ(rules.overrides.feed_max_percent, 100);
 }
@@ -132,7 +132,7 @@ class LinuxcncSample : public testing::TestWithParam<Linuxcnc> {};
 TEST_P(LinuxcncSample, HasTheLimitsOfItsConfiguration) {
     const Machine machine = sample(GetParam().file);
     ControllerRules rules = built_in_controller(GetParam().model).value();
-    rules.limit_jerk = std::isfinite(GetParam().jerk_mm_s3);
+    rules.ramps.limit_jerk = std::isfinite(GetParam().jerk_mm_s3);
     EXPECT_EQ(machine.controller, rules);
     EXPECT_EQ(machine.path.max_jerk_mm_s3, GetParam().jerk_mm_s3);
     EXPECT_EQ(machine.inverse, InverseKind::none);
@@ -220,9 +220,9 @@ TEST_P(KlipperSample, HasTheLimitsOfItsConfiguration) {
     const Machine machine = sample(expected_value.file);
     const ControllerRules& rules = machine.controller;
     EXPECT_EQ(rules.planner, PlannerKind::klipper);
-    EXPECT_EQ(rules.square_corner_velocity_mm_s, expected_value.corner_mm_s);
-    EXPECT_EQ(rules.minimum_cruise_ratio, expected_value.cruise_ratio);
-    EXPECT_EQ(rules.arc_resolution_mm, expected_value.resolution_mm);
+    EXPECT_EQ(rules.klipper.square_corner_velocity_mm_s, expected_value.corner_mm_s);
+    EXPECT_EQ(rules.klipper.minimum_cruise_ratio, expected_value.cruise_ratio);
+    EXPECT_EQ(rules.klipper.arc_resolution_mm, expected_value.resolution_mm);
     EXPECT_EQ(machine.path.max_feed_mm_s, expected_value.speed_mm_s);
     EXPECT_EQ(machine.path.max_acceleration_mm_s2, expected_value.acceleration_mm_s2);
     for (const Axis& axis : machine.axes) {
@@ -266,10 +266,10 @@ TEST(KlipperSamples, TheExtruderHasTheDefaultsOfItsNozzle) {
         EXPECT_EQ(extruder.max_speed_step, 1);
     }
     const ControllerRules rules = sample("klipper-fast-ext-fw.toml").controller;
-    EXPECT_EQ(rules.retract_length_mm, 0.8);
-    EXPECT_EQ(rules.retract_speed_mm_s, 35);
-    EXPECT_EQ(rules.unretract_speed_mm_s, 35);
-    EXPECT_EQ(rules.unretract_extra_length_mm, 0);
+    EXPECT_EQ(rules.retraction.length_mm, 0.8);
+    EXPECT_EQ(rules.retraction.speed_mm_s, 35);
+    EXPECT_EQ(rules.retraction.unretract_speed_mm_s, 35);
+    EXPECT_EQ(rules.retraction.unretract_extra_length_mm, 0);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ direction = "y"
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 /// Returns a machine with dynamics that ends with `lines`; the first of these lines is line 12.
@@ -86,7 +86,7 @@ stiffness_n_per_mm = 0.05
 drag_n_per_mm_s = 0.01
 )";
     const auto machine = read_machine(text, "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->axes[0].drive, (Drive{1, 0.2, 3, -4, 50, 16, {0, 100, 200}, {50, 50, 20.5}}));
     EXPECT_EQ(machine->axes[1].drive, (Drive{7, 0.8, 9, 10, 11, 12, {30}, {11}}));
     EXPECT_EQ(machine->shapes[0].density_kg_m3, 7850);
@@ -104,7 +104,7 @@ drag_n_per_mm_s = 0.01
                                                   .drag_n_per_mm_s = 0.01}}};
     EXPECT_EQ(machine->dynamics, expected_value);
     const auto repeated = read_machine(print_machine(*machine), "printed.toml");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine);
 }
 
@@ -119,18 +119,17 @@ TEST(DynamicsSection, WithoutMoreItIsStandardGravityAndNothingElse) {
 
 TEST(DynamicsSection, MassesThatNoBodyHas) {
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"\nmass_kg = -1")),
-              "m.toml:14:11: 'mass_kg' must be 0 or greater; it is -1");
+              "m.toml:14:11: 'mass_kg' must be 0 or greater, not -1");
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"")), "m.toml:12:1: [[mass]] lacks the key 'mass_kg'");
-    EXPECT_EQ(
-        error_of(with("[[mass]]\non = \"X\"\nmass_kg = 1\ninertia_kg_m2 = [1, 2, 4]")),
-        "m.toml:15:17: 'inertia_kg_m2' is of no body: its principal moment 4 kg m2 is more than the sum of "
-        "the two others, 1 and 2");
-    EXPECT_EQ(
-        error_of(with("[[mass]]\non = \"X\"\nmass_kg = 1\ninertia_kg_m2 = [1, 1, 1, 2, 0, 0]")),
-        "m.toml:15:17: 'inertia_kg_m2' is of no body: one of its principal moments is negative: -1 kg m2");
+    EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"\nmass_kg = 1\ninertia_kg_m2 = [1, 2, 4]")),
+              "m.toml:15:17: 'inertia_kg_m2' is not valid for a body: its principal moment 4 kg m2 is "
+              "greater than the sum of the two others, 1 and 2");
+    EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"\nmass_kg = 1\ninertia_kg_m2 = [1, 1, 1, 2, 0, 0]")),
+              "m.toml:15:17: 'inertia_kg_m2' is not valid for a body: one of its principal moments is "
+              "negative: -1 kg m2");
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"\nmass_kg = 1\ninertia_kg_m2 = [1, 2]")),
               "m.toml:15:17: 'inertia_kg_m2' must be [xx, yy, zz] or [xx, yy, zz, xy, yz, zx] of the inertia "
-              "tensor about the centre, numbers between -1e9 and 1e9");
+              "tensor about the centre of mass, numbers between -1e9 and 1e9");
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"\nmass_kg = 1\ncentre_mm = [1, \"2\", 3]")),
               "m.toml:15:13: 'centre_mm' must be [x, y, z], numbers between -1e9 and 1e9");
 }
@@ -148,15 +147,14 @@ TEST(DynamicsSection, Curves) {
         return fmt::format("{}[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"x\"\n{}\n",
                            kFileHeader, lines);
     };
-    EXPECT_EQ(
-        error_of(axis("curve_speed_mm_s = [0]")),
-        "m.toml:8:20: a curve of the motor is 'curve_speed_mm_s' and 'curve_peak_n', and 'curve_peak_n' is "
-        "missing");
-    EXPECT_EQ(
-        error_of(axis("curve_speed_mm_s = [0, 1]\ncurve_peak_n = [1]")),
-        "m.toml:9:16: 'curve_peak_n' must be as many as 'curve_speed_mm_s', one at least; they are 1 and 2");
+    EXPECT_EQ(error_of(axis("curve_speed_mm_s = [0]")),
+              "m.toml:8:20: a motor curve needs 'curve_speed_mm_s' and 'curve_peak_n', but 'curve_peak_n' is "
+              "missing");
+    EXPECT_EQ(error_of(axis("curve_speed_mm_s = [0, 1]\ncurve_peak_n = [1]")),
+              "m.toml:9:16: 'curve_peak_n' and 'curve_speed_mm_s' must have the same number of values, at "
+              "least one; they have 1 and 2");
     EXPECT_EQ(error_of(axis("curve_speed_mm_s = [0, 0]\ncurve_peak_n = [1, 1]")),
-              "m.toml:8:20: 'curve_speed_mm_s' must be speeds from 0 up, each above the one before");
+              "m.toml:8:20: 'curve_speed_mm_s' must be speeds from 0 up, in ascending order");
     EXPECT_EQ(error_of(axis("curve_speed_mm_s = [0]\ncurve_peak_n = [-1]")),
               "m.toml:9:16: 'curve_peak_n' must be 0 or greater; -1 is not");
     EXPECT_EQ(error_of(axis("coulomb_nm = 1")),
@@ -168,12 +166,11 @@ TEST(DynamicsSection, NothingOfForcesWithoutTheTable) {
         return error_of(fmt::format("[machine]\nname = \"m\"\n{}{}\n", kAxes, lines));
     };
     EXPECT_EQ(without("peak_nm = 3"),
-              "m.toml:3:1: the drive of axis B is for forces and torques, and there is no "
-              "[dynamics]");
+              "m.toml:3:1: the drive of axis B is for forces and torques, but [dynamics] is missing");
     EXPECT_EQ(without("[[mass]]\non = \"X\"\nmass_kg = 1"),
-              "m.toml:11:1: [[mass]] is for forces and torques, and there is no [dynamics]");
+              "m.toml:11:1: [[mass]] is for forces and torques, but [dynamics] is missing");
     EXPECT_EQ(without("[[shape]]\nname = \"s\"\non = \"X\"\nshape = { sphere_mm = 1 }\ndensity_kg_m3 = 1"),
-              "m.toml:11:1: the density of 's' is for forces and torques, and there is no [dynamics]");
+              "m.toml:11:1: the density of 's' is for forces and torques, but [dynamics] is missing");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::string with(std::string_view shapes, std::string_view before = "") {
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "dir/m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 std::string shape(std::string_view name, std::string_view on, std::string_view form) {
@@ -47,7 +47,7 @@ TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
                          shape(R"(ball \"one\")", "tool", "sphere_mm = 8")),
              "ignore = [[\"bed\", \"post\"], [\"ball \\\"one\\\"\", \"arm\"]]\n");
     const auto machine = read_machine(text, "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     ASSERT_EQ(machine->shapes.size(), 5U);
     EXPECT_EQ(machine->shapes[0].form, ShapeForm(BoxShape{1, 2, 3.5}));
     EXPECT_EQ(machine->shapes[1].form, ShapeForm(CylinderShape{4, 5}));
@@ -59,14 +59,14 @@ TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
     using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
     EXPECT_EQ(machine->ignored, (Pairs{{0, 1}, {4, 2}}));
     const auto repeated = read_machine(print_machine(*machine), "elsewhere/printed.toml");
-    ASSERT_TRUE(repeated) << repeated.error() << print_machine(*machine);
+    ASSERT_TRUE(repeated) << repeated.error().message << print_machine(*machine);
     EXPECT_EQ(*repeated, *machine) << print_machine(*machine);
 }
 
 TEST(LinkShapes, MeshesAreInTheFolderOfTheMachineFile) {
     const std::string text = with(shape("mould", "X", "mesh = \"../cell/mould.stl\""));
     const auto machine = read_machine(text, tests::source_path("samples/machines/m.toml"));
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_TRUE(std::filesystem::exists(std::get<MeshShape>(machine->shapes[0].form).file));
 }
 
@@ -76,10 +76,10 @@ TEST(LinkShapes, TheToleranceOfASolidIsKept) {
     std::ofstream(file) << "ISO-10303-21;";
     const auto machine = read_machine(
         with(shape("body", "X", fmt::format("mesh = \"{}\", tolerance_mm = 0.25", file.string()))), "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->shapes[0].form, ShapeForm(MeshShape{file, 1, 0.25}));
     const auto repeated = read_machine(print_machine(*machine), "m.toml");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine);
     std::filesystem::remove(file);
 }
@@ -90,8 +90,8 @@ TEST(LinkShapes, SaysWhereAndWhatIsWrong) {
     EXPECT_EQ(error_of(with("[[shape]]\nname = \"a\"\nshape = { sphere_mm = 1 }\n")),
               "dir/m.toml:7:1: [[shape]] lacks the key 'on'");
     EXPECT_EQ(error_of(with(shape("a", "tol", "sphere_mm = 1"))),
-              "dir/m.toml:9:6: 'on' must be \"base\", the letter of an axis (X), \"tool\", \"work\" or "
-              "\"jet\"; did you mean \"tool\"?");
+              "dir/m.toml:9:6: 'on' must be \"base\", an axis letter (X), \"tool\", \"work\" or \"jet\"; did "
+              "you mean \"tool\"?");
     EXPECT_THAT(error_of(with(shape("a", "Y", "sphere_mm = 1"))), HasSubstr("m.toml:9:6: 'on' must be"));
     EXPECT_THAT(error_of(with(shape("a", "world", "sphere_mm = 1"))), HasSubstr("'on' must be"));
     EXPECT_EQ(error_of(with(shape("a", "X", "sphere_in = 1"))),
@@ -105,9 +105,9 @@ TEST(LinkShapes, SaysWhereAndWhatIsWrong) {
     EXPECT_EQ(error_of(with(shape("a", "X", "sphere_mm = 1") + shape("a", "base", "sphere_mm = 1"))),
               "dir/m.toml:12:8: the name 'a' is given twice; first in line 8");
     EXPECT_THAT(error_of(with(shape("X", "X", "sphere_mm = 1"))),
-                HasSubstr("the name 'X' is taken by a frame of the machine"));
+                HasSubstr("the name 'X' is already used by a frame of the machine"));
     EXPECT_THAT(error_of(with(shape("a", "X", "sphere_mm = 1"), "ignore = [[\"a\", \"b\"]]\n")),
-                HasSubstr("dir/m.toml:1:11: no object or shape is called 'b'"));
+                HasSubstr("dir/m.toml:1:11: no object or shape has the name 'b'"));
     EXPECT_THAT(error_of(with("", "ignore = 3\n")), HasSubstr("'ignore' must be a list of pairs"));
     EXPECT_THAT(error_of(with("", "shape = 3\n")), HasSubstr("'shape' must be an array of tables"));
 }

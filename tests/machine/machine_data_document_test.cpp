@@ -9,8 +9,6 @@
 namespace gsim::machine::machine_data_document_test {
 namespace {
 
-using EditResult = MachineDataDocument::EditResult;
-
 const std::string kFile =
     "; the fixtures\r\nNCFILE  # of the jet\r\n\r\nOFFSET\r\n  54   200.000  1e2  +3     # left vice\r\n"
     "  505  1  2.50  0  Inch\r\n...\r\n\r\n# points\r\nFIXED\r\n1 0 0 300\r\nTOOL\r\n1\t50.8\t10\tJET\r\n"
@@ -22,7 +20,7 @@ std::vector<Axis> axes() {
 
 MachineDataDocument read(const std::string& text) {
     auto document = MachineDataDocument::read(text, "m.txt", axes());
-    return document ? *document : throw std::runtime_error(document.error().front());
+    return document ? *document : throw std::runtime_error(document.error().front().message);
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -33,8 +31,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 template <typename Change>
 void expect_change(const std::string& from, const std::string& to, Change change) {
     MachineDataDocument document = read(kFile);
-    const EditResult changed = change(document);
-    ASSERT_TRUE(changed) << changed.error();
+    const Result<void> changed = change(document);
+    ASSERT_TRUE(changed) << changed.error().message;
     EXPECT_EQ(document.text(), replaced(kFile, from, to));
 }
 
@@ -42,9 +40,9 @@ template <typename Change>
 void expect_refused(const std::string& message, Change change) {
     MachineDataDocument document = read(kFile);
     const MachineData data = document.data();
-    const EditResult changed = change(document);
+    const Result<void> changed = change(document);
     ASSERT_FALSE(changed);
-    EXPECT_EQ(changed.error(), message);
+    EXPECT_EQ(changed.error().message, message);
     EXPECT_EQ(document.text(), kFile);
     EXPECT_EQ(document.data(), data);
 }
@@ -108,8 +106,8 @@ TEST(MachineDataDocument, NamesOfPoints) {
         return d.set(DataSection::fixed, "1", {{"NAME", "Vise"}}, LengthUnit::inch);
     });
     expect_change("1 0 0 300\r\n", "1 0 0 300  45  NAME=VISE\r\n7  1  0  0  NAME=B\r\n", [](auto& d) {
-        const EditResult named = d.set(DataSection::fixed, "1", {{"NAME", "Vise"}});
-        const EditResult turned = d.set(DataSection::fixed, "1", {{"B", "45"}, {"NAME", "VISE"}});
+        const Result<void> named = d.set(DataSection::fixed, "1", {{"NAME", "Vise"}});
+        const Result<void> turned = d.set(DataSection::fixed, "1", {{"B", "45"}, {"NAME", "VISE"}});
         EXPECT_TRUE(named && turned);
         return d.set(DataSection::fixed, "7", {{"X", "1"}, {"NAME", "B"}});
     });
@@ -122,9 +120,9 @@ TEST(MachineDataDocument, NamesOfPoints) {
         return d.set(DataSection::fixed, "1", {{"NAME", ""}});
     });
     MachineDataDocument document = read("NCFILE\nFIXED\n1 0 0 0 NAME=Vise\nENDFILE\n");
-    const EditResult same = document.set(DataSection::fixed, "2", {{"NAME", "VISE"}});
+    const Result<void> same = document.set(DataSection::fixed, "2", {{"NAME", "VISE"}});
     ASSERT_FALSE(same);
-    EXPECT_EQ(same.error(), "the name VISE of a fixed point is given twice; first in line 3");
+    EXPECT_EQ(same.error().message, "the name VISE of a fixed point is given twice; first in line 3");
 }
 
 TEST(MachineDataDocument, UnitOfAnEntry) {
@@ -134,7 +132,7 @@ TEST(MachineDataDocument, UnitOfAnEntry) {
     expect_change("1\t50.8\t10\tJET", "1\t2\t0.25\tJET  inch", [](auto& d) {
         return d.set(DataSection::tool, "1", {{"DIAMETER", "0.25"}}, LengthUnit::inch);
     });
-    expect_refused("VARIABLE has no lengths, hence no unit", [](auto& d) {
+    expect_refused("VARIABLE has no lengths and therefore no unit", [](auto& d) {
         return d.set(DataSection::variable, "500", {{"VALUE", "1"}}, LengthUnit::inch);
     });
 }
@@ -170,20 +168,20 @@ TEST(MachineDataDocument, ChangesThatAreRefused) {
         return [=](auto& d) { return d.set(section, id, {{field, value}}); };
     };
     expect_refused("'3,5' is not a number", set(DataSection::offset, "54", "X", "3,5"));
-    expect_refused("1e12 is not between -1e9 and 1e9", set(DataSection::offset, "54", "X", "1e12"));
-    expect_refused("'60' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599",
+    expect_refused("1e12 must be between -1e9 and 1e9", set(DataSection::offset, "54", "X", "1e12"));
+    expect_refused("'60' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599",
                    set(DataSection::offset, "60", "X", "1"));
     expect_refused("OFFSET has no 'Q'; it has X, Y, Z, B, C", set(DataSection::offset, "54", "Q", "1"));
-    expect_refused("'1 2' cannot be written: it is not one word of a line",
+    expect_refused("'1 2' cannot be written: it must be a single word",
                    set(DataSection::offset, "54", "X", "1 2"));
-    expect_refused("'M8?ENDFILE' cannot be written: it is not one word of a line",
+    expect_refused("'M8?ENDFILE' cannot be written: it must be a single word",
                    set(DataSection::alias, "WaterJetOn", "CODE", "M8\nENDFILE"));
-    expect_refused("Xmin is 20 and Xmax is 10; the first must be less",
+    expect_refused("Xmin is 20 and Xmax is 10; min must be less than max",
                    set(DataSection::security, "1", "XMIN", "20"));
-    expect_refused("an alias has its name and its code", set(DataSection::alias, "JetOff", "CODE", ""));
-    expect_refused("a home position needs a value for B too: its values stand in a row",
+    expect_refused("an alias needs its name and its code", set(DataSection::alias, "JetOff", "CODE", ""));
+    expect_refused("a home position also needs a value for B: its values are positional",
                    set(DataSection::home, "2", "C", "1"));
-    expect_refused("there is no OFFSET 55 in the file",
+    expect_refused("OFFSET 55 does not exist in the file",
                    [](auto& d) { return d.reset(DataSection::offset, "55"); });
 }
 
@@ -233,7 +231,7 @@ TEST(MachineDataDocument, DataOfARunChangeTheirLinesAlone) {
     expected_value = replaced(expected_value, "500 1\r\n", "");
     EXPECT_EQ(document.text(), expected_value);
     data.offsets["54"]['X'] = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(document.update(data).error(), "'inf' is not a number");
+    EXPECT_EQ(document.update(data).error().message, "'inf' is not a number");
     EXPECT_EQ(document.text(), expected_value);
 }
 

@@ -154,11 +154,11 @@ TEST(MachineDataRandom, DataSurviveWritingAndReading) {
         const MachineData data = random.data();
         const std::string text = write_machine_data(data, machine);
         const auto read = read_machine_data(text, "f", machine);
-        ASSERT_TRUE(read) << read.error() << '\n' << text;
+        ASSERT_TRUE(read) << read.error().message << '\n' << text;
         ASSERT_EQ(*read, data) << text;
         MachineDataDocument document(machine);
         const auto updated = document.update(data);
-        ASSERT_TRUE(updated) << updated.error();
+        ASSERT_TRUE(updated) << updated.error().message;
         ASSERT_EQ(document.text(), text);
     }
 }
@@ -169,7 +169,7 @@ TEST(MachineDataRandom, FilesComeBackByteForByte) {
     for (int i = 0; i < 300; ++i) {
         const std::string text = random.file();
         auto document = MachineDataDocument::read(text, "f", machine);
-        ASSERT_TRUE(document) << document.error().front() << '\n' << text;
+        ASSERT_TRUE(document) << document.error().front().message << '\n' << text;
         ASSERT_EQ(document->text(), text);
         ASSERT_TRUE(document->update(document->data()));
         ASSERT_EQ(document->text(), text) << "data that are equal change nothing";
@@ -189,7 +189,7 @@ TEST(MachineDataRandom, AnUpdateHoldsTheNewData) {
         }
         const MachineData data = random.data();
         const auto updated = document.update(data);
-        ASSERT_TRUE(updated) << updated.error() << '\n' << document.text();
+        ASSERT_TRUE(updated) << updated.error().message << '\n' << document.text();
         const std::string once = document.text();
         ASSERT_TRUE(document.update(document.data()));
         ASSERT_EQ(document.text(), once);
@@ -268,8 +268,9 @@ TEST(MachineDataRandom, MangledFilesAreReadWhollyOrNotAtAll) {
         const std::string text = mangled(random, random.file());
         auto document = MachineDataDocument::read(text, "f", machine);
         if (!document) {
-            for (const std::string& error : document.error())
-                EXPECT_TRUE(error.starts_with("f:") && error.find('\n') == std::string::npos) << error;
+            for (const Error& error : document.error())
+                EXPECT_TRUE(error.message.starts_with("f:") && error.message.find('\n') == std::string::npos)
+                    << error.message;
             ASSERT_FALSE(document.error().empty());
             EXPECT_EQ(read_machine_data(text, "f", machine).error(), document.error().front());
             continue;

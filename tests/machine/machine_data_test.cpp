@@ -17,7 +17,7 @@ using testing::Pair;
 std::string error_of(const std::string& text) {
     const std::vector<Axis> axes = read_machine(built_in_machine_toml(), "").value().axes;
     const auto data = read_machine_data(text, "m.txt", axes);
-    return data ? "no error" : data.error();
+    return data ? "no error" : data.error().message;
 }
 
 TEST(MachineData, ReadsAllSections) {
@@ -27,7 +27,7 @@ TEST(MachineData, ReadsAllSections) {
         "505\t1 -2 +3 90 inch\n\nFIXED\n7 1 2 3 Metric\nALIAS\nWaterJetOn M08\nVARIABLE\n100 "
         "2.5\nENDFILE\n\n",
         "m.txt", axes);
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->offsets,
                 ElementsAre(Pair("505", AxisValues{{'X', 25.4}, {'Y', -50.8}, {'Z', 3 * 25.4}, {'B', 90}}),
                             Pair("54", AxisValues{{'X', 200.0001}, {'Y', 200.0002}, {'Z', 200}}),
@@ -43,7 +43,7 @@ TEST(MachineData, ExampleOfTheThesis) {
         "NCFILE\nOFFSET\n54\t200.0001\t200.0002\t200\n55\t255\t255\t255\n56\t100\t0\t300.001\n57\t0\t0\t0\n"
         "...\nFIXED\n1\t0\t0\t0\n2\t0\t0\t0\nENDFILE\n",
         "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->offsets,
                 ElementsAre(Pair("54", AxisValues{{'X', 200.0001}, {'Y', 200.0002}, {'Z', 200}}),
                             Pair("55", AxisValues{{'X', 255}, {'Y', 255}, {'Z', 255}}),
@@ -54,7 +54,7 @@ TEST(MachineData, ExampleOfTheThesis) {
 
 TEST(MachineData, WithoutAxesFurtherValuesAreOnlyChecked) {
     const auto data = read_machine_data("NCFILE\nOFFSET\n54 1 2 3 4 5 6\nENDFILE", "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->offsets, ElementsAre(Pair("54", AxisValues{{'X', 1}, {'Y', 2}, {'Z', 3}})));
     EXPECT_FALSE(read_machine_data("NCFILE\nOFFSET\n54 1 2 3 4x\nENDFILE", "m.txt"));
 }
@@ -63,21 +63,21 @@ TEST(MachineData, Frame) {
     EXPECT_EQ(error_of(""), "m.txt:1:1: the file does not begin with NCFILE");
     EXPECT_EQ(error_of("OFFSET\n"), "m.txt:1:1: the file does not begin with NCFILE");
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n"), "m.txt:3:1: the file does not end with ENDFILE");
-    EXPECT_EQ(error_of("NCFILE\nENDFILE\n54 1 2 3\n"), "m.txt:3:1: there is text behind ENDFILE");
-    EXPECT_EQ(error_of("NCFILE\nNCFILE\n"), "m.txt:2:1: NCFILE may stand in the first line only");
-    EXPECT_EQ(error_of("NCFILE x\n"), "m.txt:1:8: 'x' is one word too many");
+    EXPECT_EQ(error_of("NCFILE\nENDFILE\n54 1 2 3\n"), "m.txt:3:1: text after ENDFILE is not allowed");
+    EXPECT_EQ(error_of("NCFILE\nNCFILE\n"), "m.txt:2:1: NCFILE is only allowed in the first line");
+    EXPECT_EQ(error_of("NCFILE x\n"), "m.txt:1:8: 'x' is an extra word");
 }
 
 TEST(MachineData, Tools) {
     const auto data = read_machine_data("NCFILE\nTOOL\n1 100 6\n22 1 0.25 inch\nENDFILE\n", "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     ASSERT_EQ(data->tools.size(), 2U);
     EXPECT_EQ(data->tools.at(1).length_mm, 100);
     EXPECT_EQ(data->tools.at(1).diameter_mm, 6);
     EXPECT_DOUBLE_EQ(data->tools.at(22).length_mm, 25.4);
     EXPECT_DOUBLE_EQ(data->tools.at(22).diameter_mm, 6.35);
     EXPECT_EQ(error_of("NCFILE\nTOOL\n1 100\n"),
-              "m.txt:3:1: a tool has its number, its length and its diameter");
+              "m.txt:3:1: a tool needs its number, its length and its diameter");
     EXPECT_EQ(error_of("NCFILE\nTOOL\n1 1 1\n1 2 2\n"),
               "m.txt:4:1: the tool 1 is given twice; first in line 3");
 }
@@ -89,7 +89,7 @@ TEST(MachineData, ToolsInFull) {
         "inch\n"
         "2 0 0 Cutter\nENDFILE\n",
         "m.txt", axes);
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     const Tool jet{.length_mm = 50.8,
                    .diameter_mm = 25.4,
                    .length_wear_mm = -12.7,
@@ -104,14 +104,14 @@ TEST(MachineData, ToolsInFull) {
     const auto error_of_line = [](const std::string& line) {
         return error_of(fmt::format("NCFILE\nTOOL\n{}\nENDFILE\n", line));
     };
-    EXPECT_EQ(error_of_line("1 0 0 jet cutter"), "m.txt:3:11: 'cutter' is one word too many");
-    EXPECT_EQ(error_of_line("1 0 0 length=3"), "m.txt:3:7: a tool has no value of the name 'LENGTH'");
-    EXPECT_EQ(error_of_line("1 0 0 x=1 x=1"), "m.txt:3:11: 'x=1' is one word too many");
+    EXPECT_EQ(error_of_line("1 0 0 jet cutter"), "m.txt:3:11: 'cutter' is an extra word");
+    EXPECT_EQ(error_of_line("1 0 0 length=3"), "m.txt:3:7: a tool has no value with the name 'LENGTH'");
+    EXPECT_EQ(error_of_line("1 0 0 x=1 x=1"), "m.txt:3:11: 'x=1' is an extra word");
     EXPECT_EQ(error_of_line("1 0 0 x="), "m.txt:3:7: '' is not a number");
     EXPECT_EQ(error_of_line("1 0 0 orientation=10"),
-              "m.txt:3:7: ORIENTATION is a whole number from 0 to 9, not '10'");
-    EXPECT_EQ(error_of_line("1 0 inch 0"), "m.txt:3:10: '0' stands too late: values come before other words");
-    EXPECT_EQ(error_of_line("1 5e7 0 inch"), "m.txt:3:3: 5e7 is not between -1e9 and 1e9 mm");
+              "m.txt:3:7: ORIENTATION must be an integer from 0 to 9, not '10'");
+    EXPECT_EQ(error_of_line("1 0 inch 0"), "m.txt:3:10: '0' is too late: values come before other words");
+    EXPECT_EQ(error_of_line("1 5e7 0 inch"), "m.txt:3:3: 5e7 must be between -1e9 and 1e9 mm");
 }
 
 TEST(MachineData, Zones) {
@@ -119,7 +119,7 @@ TEST(MachineData, Zones) {
         "NCFILE\nSECURITY\n1 100 200 300 400\n7 -1 1 - - 0 10 leave off switch=3 inch\n"
         "WORKING\n1 0 1800 0 2400 - -\nENDFILE\n",
         "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(
         data->security_zones,
         ElementsAre(Pair(1, Zone{.number = 1, .limits = {ZoneLimits{100, 200}, ZoneLimits{300, 400}, {}}}),
@@ -137,24 +137,24 @@ TEST(MachineData, ZonesThatAreNone) {
         return error_of(fmt::format("NCFILE\nSECURITY\n{}\nENDFILE\n", line));
     };
     EXPECT_EQ(error_of_line("1 200 100 0 1"),
-              "m.txt:3:3: Xmin is 200 and Xmax is 100; the first must be less");
-    EXPECT_EQ(error_of_line("1 0 1 5 5"), "m.txt:3:7: Ymin is 5 and Ymax is 5; the first must be less");
+              "m.txt:3:3: Xmin is 200 and Xmax is 100; min must be less than max");
+    EXPECT_EQ(error_of_line("1 0 1 5 5"), "m.txt:3:7: Ymin is 5 and Ymax is 5; min must be less than max");
     EXPECT_EQ(error_of_line("1 0 1 - 5"),
-              "m.txt:3:1: Ymin and Ymax are both numbers, or both '-' (no walls there)");
+              "m.txt:3:1: Ymin and Ymax must both be numbers, or both '-' (no limits)");
     EXPECT_EQ(error_of_line("1 0 1 0 1 0"),
-              "m.txt:3:1: Zmin and Zmax are both numbers, or both '-' (no walls there)");
-    EXPECT_EQ(error_of_line("1 - - - -"), "m.txt:3:1: a zone needs its two walls on one axis at least");
-    EXPECT_EQ(
-        error_of_line("1 0 1"),
-        "m.txt:3:1: a zone has its number and its walls: Xmin, Xmax, Ymin, Ymax, and perhaps Zmin and Zmax");
-    EXPECT_EQ(error_of_line("1 0 1 0 1 0 1 0"), "m.txt:3:15: '0' is one word too many");
+              "m.txt:3:1: Zmin and Zmax must both be numbers, or both '-' (no limits)");
+    EXPECT_EQ(error_of_line("1 - - - -"), "m.txt:3:1: a zone needs its two limits on at least one axis");
+    EXPECT_EQ(error_of_line("1 0 1"),
+              "m.txt:3:1: a zone needs its number and its limits: Xmin, Xmax, Ymin, Ymax, and optionally "
+              "Zmin and Zmax");
+    EXPECT_EQ(error_of_line("1 0 1 0 1 0 1 0"), "m.txt:3:15: '0' is an extra word");
     EXPECT_EQ(error_of("NCFILE\nWORKING\n2 0 1 0 1\n"),
-              "m.txt:3:1: there is one working zone; its number is 1");
+              "m.txt:3:1: there is only one working zone; its number is 1");
 }
 
 TEST(MachineData, ReferencePoints) {
     const auto data = read_machine_data("NCFILE\nREFERENCE\n1 1 2 3 inch\nENDFILE\n", "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_DOUBLE_EQ(data->references.at(1).at('Y'), 50.8);
 }
 
@@ -164,7 +164,7 @@ TEST(MachineData, NamesOfPoints) {
         "Name=clamp1\n"
         "ENDFILE\n",
         "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->fixed_names, ElementsAre(Pair(1, "CLAMP1"), Pair(30, "Park_2")));
     EXPECT_THAT(data->reference_names, ElementsAre(Pair(7, "clamp1")));
     EXPECT_DOUBLE_EQ(data->fixed.at(30).at('X'), 25.4);
@@ -177,12 +177,13 @@ TEST(MachineData, NamesOfPointsThatAreNone) {
     for (const char* name : {"", "3", "_A", "A-B", "A.B", "A=B", "\xc3\xa4"}) {
         EXPECT_EQ(
             error_of_line(fmt::format("1 0 0 0 NAME={}", name)),
-            fmt::format("m.txt:3:9: '{}' is no name: a letter first, then letters, digits and '_'", name));
+            fmt::format("m.txt:3:9: '{}' is not a valid name: a letter first, then letters, digits and '_'",
+                        name));
     }
-    EXPECT_EQ(error_of_line("1 0 0 0 NAME=A NAME=B"), "m.txt:3:16: 'NAME=B' is one word too many");
-    EXPECT_EQ(error_of_line("1 0 NAME=A 0"),
-              "m.txt:3:12: '0' stands too late: values come before other words");
-    EXPECT_EQ(error_of_line("1 0 0 0 TITLE=A"), "m.txt:3:9: a fixed point has no value of the name 'TITLE'");
+    EXPECT_EQ(error_of_line("1 0 0 0 NAME=A NAME=B"), "m.txt:3:16: 'NAME=B' is an extra word");
+    EXPECT_EQ(error_of_line("1 0 NAME=A 0"), "m.txt:3:12: '0' is too late: values come before other words");
+    EXPECT_EQ(error_of_line("1 0 0 0 TITLE=A"),
+              "m.txt:3:9: a fixed point has no value with the name 'TITLE'");
     EXPECT_EQ(error_of_line("1 0 0 0 NAME=Vise\n2 0 0 0 NAME=B\n3 9 9 9 NAME=VISE"),
               "m.txt:5:9: the name VISE of a fixed point is given twice; first in line 3");
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n54 0 0 0 NAME=A\n"), "m.txt:3:10: 'NAME=A' is not a number");
@@ -192,31 +193,30 @@ TEST(MachineData, NamesOfPointsThatAreNone) {
 TEST(MachineData, ANulIsNoText) {
     using std::string_literals::operator""s;
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n# \0\nENDFILE\n"s),
-              "m.txt:3:3: there is a NUL byte; the file is no text");
+              "m.txt:3:3: the file contains a NUL byte; it must be a text file");
 }
 
 TEST(MachineData, HomePositions) {
     const auto data = read_machine_data("NCFILE\nHOME\n2 1 2 3\n4 0 0 1 inch\nENDFILE\n", "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_EQ(data->homes.at(2).at('Y'), 2);
     EXPECT_DOUBLE_EQ(data->homes.at(4).at('Z'), 25.4);
     EXPECT_EQ(error_of("NCFILE\nHOME\n1 1 2 3\n"),
-              "m.txt:3:1: home positions are 2 to 4; the first one is in the machine file");
+              "m.txt:3:1: home positions are 2 to 4; the first is in the machine file");
 }
 
 TEST(MachineData, Sections) {
     const std::string sections =
         "a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, SECURITY or WORKING";
     EXPECT_EQ(error_of("NCFILE\n OFSET\n"),
-              "m.txt:2:2: 'OFSET' is no keyword; " + sections + "; did you mean OFFSET?");
-    EXPECT_EQ(error_of("NCFILE\n54 1 2 3\n"), "m.txt:2:1: '54' is no keyword; " + sections);
+              "m.txt:2:2: 'OFSET' is not a keyword; " + sections + "; did you mean OFFSET?");
+    EXPECT_EQ(error_of("NCFILE\n54 1 2 3\n"), "m.txt:2:1: '54' is not a keyword; " + sections);
     EXPECT_EQ(error_of("NCFILE\nFIXED\nOFFSET\nFIXED\n"),
               "m.txt:4:1: the section FIXED is given twice; first in line 2");
     for (const char* dots : {"OFFSET\n....", "OFFSET\n... 599", "...\nOFFSET"}) {
-        EXPECT_THAT(
-            error_of(fmt::format("NCFILE\n{}\nENDFILE\n", dots)),
-            testing::EndsWith(":1: '...' stands for entries left out of a section: alone in its line, "
-                              "behind the section's keyword"))
+        EXPECT_THAT(error_of(fmt::format("NCFILE\n{}\nENDFILE\n", dots)),
+                    testing::EndsWith(":1: '...' marks omitted entries of a section: alone in its line, "
+                                      "after the section's keyword"))
             << dots;
     }
 }
@@ -230,27 +230,27 @@ TEST(MachineData, Offsets) {
     EXPECT_EQ(error_of_line("54 1 2 inch"), "m.txt:3:1: 54 needs values for X, Y and Z");
     EXPECT_EQ(error_of_line("54 1 2 3,5"), "m.txt:3:8: '3,5' is not a number");
     EXPECT_EQ(error_of_line("54 1 2 nan"), "m.txt:3:8: 'nan' is not a number");
-    EXPECT_EQ(error_of_line("54 1 2 1e12"), "m.txt:3:8: 1e12 is not between -1e9 and 1e9");
+    EXPECT_EQ(error_of_line("54 1 2 1e12"), "m.txt:3:8: 1e12 must be between -1e9 and 1e9");
     EXPECT_EQ(error_of_line("54 1 2 3 4 5 6"),
-              "m.txt:3:14: there are more values than axes; behind X, Y and Z this machine has 2");
+              "m.txt:3:14: there are more values than axes; after X, Y and Z this machine has 2");
     EXPECT_EQ(error_of_line("54 1 2 3\n54 1 2 3"), "m.txt:4:1: the frame 54 is given twice; first in line 3");
     for (const char* code : {"53", "60", "59.4", "054", "504", "600", "54.0", "-54", "5O5"}) {
         EXPECT_EQ(error_of_line(std::string(code) + " 1 2 3"),
                   "m.txt:3:1: '" + std::string(code) +
-                      "' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
+                      "' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
     }
 }
 
 TEST(MachineData, OtherEntries) {
     EXPECT_EQ(error_of("NCFILE\nFIXED\n0 1 2 3\n"),
-              "m.txt:3:1: '0' is not the number of a fixed point, 1 to 99999");
-    EXPECT_EQ(error_of("NCFILE\nVARIABLE\n1 2 3\n"), "m.txt:3:5: '3' is one word too many");
+              "m.txt:3:1: '0' is not a valid number of a fixed point, 1 to 99999");
+    EXPECT_EQ(error_of("NCFILE\nVARIABLE\n1 2 3\n"), "m.txt:3:5: '3' is an extra word");
     EXPECT_EQ(error_of("NCFILE\nALIAS\nJet M08\njet M09\n"),
               "m.txt:4:1: the alias jet is given twice; first in line 3");
 }
 
 TEST(MachineData, FileThatCannotBeRead) {
-    EXPECT_EQ(load_machine_data("no/such.txt").error(),
+    EXPECT_EQ(load_machine_data("no/such.txt").error().message,
               "cannot read 'no/such.txt': No such file or directory");
 }
 

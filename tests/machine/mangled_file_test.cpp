@@ -26,7 +26,7 @@ TEST(MangledFile, MachineFile) {
         if (machine) {
             EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
         } else {
-            EXPECT_TRUE(is_located(machine.error())) << machine.error() << '\n' << text;
+            EXPECT_TRUE(is_located(machine.error().message)) << machine.error().message << '\n' << text;
         }
     }
 }
@@ -42,7 +42,7 @@ TEST(MangledFile, FileWithDynamics) {
         if (machine) {
             EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
         } else {
-            EXPECT_TRUE(is_located(machine.error())) << machine.error() << '\n' << text;
+            EXPECT_TRUE(is_located(machine.error().message)) << machine.error().message << '\n' << text;
         }
     }
 }
@@ -58,7 +58,7 @@ TEST(MangledFile, MillFile) {
         if (machine) {
             EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
         } else {
-            EXPECT_TRUE(is_located(machine.error())) << machine.error() << '\n' << text;
+            EXPECT_TRUE(is_located(machine.error().message)) << machine.error().message << '\n' << text;
         }
     }
 }
@@ -85,7 +85,7 @@ TEST(MangledFile, ControllerOfAMachineFile) {
         if (machine) {
             EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
         } else {
-            EXPECT_TRUE(is_located(machine.error())) << machine.error() << '\n' << text;
+            EXPECT_TRUE(is_located(machine.error().message)) << machine.error().message << '\n' << text;
         }
     }
 }
@@ -96,7 +96,7 @@ TEST(MangledFile, DeepNesting) {
         for (int i = 0; i < 100000; ++i) text += open;
         const auto machine = read_machine(text, "f");
         ASSERT_FALSE(machine);
-        EXPECT_TRUE(is_located(machine.error())) << machine.error();
+        EXPECT_TRUE(is_located(machine.error().message)) << machine.error().message;
     }
 }
 
@@ -109,7 +109,7 @@ TEST(MangledFile, MachineData) {
     for (int i = 0; i < 20000; ++i) {
         const std::string text = mangled(random, full);
         const auto data = read_machine_data(text, "f", axes);
-        EXPECT_TRUE(data || is_located(data.error())) << data.error() << '\n' << text;
+        EXPECT_TRUE(data || is_located(data.error().message)) << data.error().message << '\n' << text;
     }
 }
 

@@ -19,7 +19,7 @@ std::string with(std::string_view keys, std::string_view controller = "") {
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 TEST(ServoSection, AllIsReadAndPrintedBack) {
@@ -59,13 +59,13 @@ TEST(ServoSection, WhatIsRefused) {
     EXPECT_EQ(error_of(with("position_gain_1_s = 30\ncommand_delay_s = 2")),
               "m.toml:8:19: 'command_delay_s' must be from 0 to 1; it is 2");
     EXPECT_EQ(error_of(with("position_gain_1_s = 30\nvelocity_lag_s = -1")),
-              "m.toml:8:18: 'velocity_lag_s' must be 0, or 1e-6 or greater; it is -1");
+              "m.toml:8:18: 'velocity_lag_s' must be 0, or 1e-6 or greater, not -1");
 }
 
 TEST(ServoSection, LoopNeedsAGain) {
     constexpr std::string_view kSentence =
-        "axis X has a servo loop without a gain: it needs 'position_gain_1_s', 1 or greater, or else "
-        "[controller] does";
+        "the servo loop of axis X has no gain: set 'position_gain_1_s', 1 or greater, for the axis or in "
+        "[controller]";
     EXPECT_NE(error_of(with("velocity_lag_s = 0.001")).find(kSentence), std::string::npos);
     EXPECT_NE(
         error_of(with("velocity_lag_s = 0.001", "[controller]\nposition_gain_1_s = 0.5")).find(kSentence),

@@ -15,7 +15,7 @@ std::string machine_with(const std::string& tables) {
 
 std::string error_with(const std::string& times) {
     const auto machine = read_machine(machine_with("[times]\n" + times), "m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 TEST(TimesSection, ReadsNamesAndCodes) {
@@ -25,7 +25,7 @@ TEST(TimesSection, ReadsNamesAndCodes) {
             "2.5\nspindle_stop_s = 1.5\n"
             "process_on_s = 0.3\nprocess_off_s = 0.2\nbefore_first_move = false\nM100 = 4\nM8 = 0\n"),
         "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     const WordTimes& times = machine->times;
     EXPECT_EQ(times.tool_change_s, 8);
     EXPECT_EQ(times.tool_table_s, 0.0625);
@@ -38,13 +38,13 @@ TEST(TimesSection, ReadsNamesAndCodes) {
     EXPECT_FALSE(times.before_first_move);
     EXPECT_EQ(times.codes_s, (std::map<int, double>{{8, 0}, {100, 4}}));
     const auto repeated = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine);
 }
 
 TEST(TimesSection, WithoutItNoWordTakesTime) {
     const auto machine = read_machine(machine_with(""), "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->times, WordTimes{});
     EXPECT_EQ(print_machine(*machine).find("[times]"), std::string::npos);
 }

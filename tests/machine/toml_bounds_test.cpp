@@ -22,7 +22,7 @@ std::string repeated(std::string_view text, std::size_t times) {
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "f.toml");
-    return machine ? "none" : machine.error();
+    return machine ? "none" : machine.error().message;
 }
 
 // Each of these took the stack of the parser, or of the destructor of its tables.
@@ -82,7 +82,7 @@ TEST(TomlBounds, LettersOfAllAlphabetsAreNoBlanks) {
                                               "\"\"\"\n[[axis]]\nletter = \"X\"\nkind = \"linear\"\n"
                                               "direction = \"x\"\n",
                                           "f.toml");
-        ASSERT_TRUE(machine) << machine.error();
+        ASSERT_TRUE(machine) << machine.error().message;
         EXPECT_EQ(machine->name, letter);
         EXPECT_THAT(error_of(letter + " = 1\n"), testing::StartsWith("f.toml:1:"));
     }

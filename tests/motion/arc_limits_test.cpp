@@ -30,8 +30,8 @@ class ArcLimits : public testing::Test {
         }
         setup.path = {};
         setup.controller.planner = planner;
-        setup.controller.limit_jerk = jerk;
-        setup.controller.centripetal_share = 0.5 + 0.45 * number();
+        setup.controller.ramps.limit_jerk = jerk;
+        setup.controller.ramps.centripetal_share = 0.5 + 0.45 * number();
         return setup;
     }
 

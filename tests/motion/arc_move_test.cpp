@@ -72,7 +72,7 @@ TEST_F(ArcMove, ArcOutOfRangeOnTheWayNamesJointValueAndLimit) {
     EXPECT_NEAR(at.planner.last_error().value, -500, 1e-9);
     EXPECT_EQ(at.planner.last_error().limit, 0);
     EXPECT_THAT(at.message(), HasSubstr("Joint 0 (counted from 0) would be at -500"));
-    EXPECT_THAT(at.message(), HasSubstr("mm on the way along the arc; its range ends at 0 mm."));
+    EXPECT_THAT(at.message(), HasSubstr("mm along the arc; its range ends at 0 mm."));
     EXPECT_EQ(at.planner.time_s(), 0);
     // The near half of the same circle is free.
     EXPECT_EQ(at.arc_to(joint_pos({600 + 1100 * std::sin(0.3), 1600 - 1100 * std::cos(0.3), 300, 0, 0}),

@@ -26,10 +26,10 @@ class BlendStop : public testing::TestWithParam<CornerRule> {
         set_ramps(setup, random, GetParam() == CornerRule::smooth_blend);
         rrs::ControllerRules& controller = setup.controller;
         controller.planner = rrs::PlannerKind::look_ahead;
-        controller.corner = GetParam();
-        controller.exact_path_corner = CornerRule::stop;
-        controller.centripetal_share = 0.866;
-        controller.look_ahead_blocks = std::uniform_int_distribution<std::size_t>(1, 40)(random);
+        controller.corners.continuous = GetParam();
+        controller.corners.exact_path = CornerRule::stop;
+        controller.ramps.centripetal_share = 0.866;
+        controller.blocks.look_ahead = std::uniform_int_distribution<std::size_t>(1, 40)(random);
         setup.queue_capacity = 2000;
         return setup;
     }

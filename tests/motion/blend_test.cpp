@@ -13,10 +13,10 @@ using rrs::CornerRule;
 
 PlannerSetup blend_setup(CornerRule rule) {
     PlannerSetup setup = router_setup();
-    setup.controller.corner = rule;
-    setup.controller.exact_path_corner = CornerRule::stop;
-    setup.controller.centripetal_share = 0.866;
-    setup.controller.limit_jerk = rule == CornerRule::smooth_blend;
+    setup.controller.corners.continuous = rule;
+    setup.controller.corners.exact_path = CornerRule::stop;
+    setup.controller.ramps.centripetal_share = 0.866;
+    setup.controller.ramps.limit_jerk = rule == CornerRule::smooth_blend;
     for (JointSetup& joint : setup.joints) joint.max_jerk = 2e4;
     return setup;
 }
@@ -33,7 +33,7 @@ PlannerSetup random_setup(std::mt19937& random, CornerRule rule) {
         joint.max_deceleration = 1000 * unit * std::exp(log_scale(random));
         joint.max_jerk = 2e4 * unit * std::exp(log_scale(random));
     }
-    setup.controller.look_ahead_blocks = std::uniform_int_distribution<std::size_t>(1, 30)(random);
+    setup.controller.blocks.look_ahead = std::uniform_int_distribution<std::size_t>(1, 30)(random);
     return setup;
 }
 
@@ -57,7 +57,7 @@ rrs::JointPos peak_jerk(const Segment& segment) {
 }
 
 void expect_limits(const Segment& segment, const PlannerSetup& setup) {
-    const bool jerk = setup.controller.limit_jerk && segment.kind == SegmentKind::linear;
+    const bool jerk = setup.controller.ramps.limit_jerk && segment.kind == SegmentKind::linear;
     const rrs::JointPos jerks = jerk ? peak_jerk(segment) : rrs::JointPos::Zero(setup.joint_count());
     for (int sample = 0; sample <= 24; ++sample) {
         const JointState state = segment.at(segment.duration_s * sample / 24);
@@ -90,7 +90,7 @@ void expect_one_motion(const Collected& out, const PlannerSetup& setup) {
             ASSERT_LT((first.velocity - before.velocity).norm(), 1e-6 * (1 + before.velocity.norm())) << i;
             const bool curved =
                 segment.kind == SegmentKind::circular || out.segments[i - 1].kind == SegmentKind::circular;
-            if (setup.controller.limit_jerk && !curved) {
+            if (setup.controller.ramps.limit_jerk && !curved) {
                 ASSERT_LT((first.acceleration - before.acceleration).norm(), 1e-4) << i;
             }
         }
@@ -140,7 +140,7 @@ TEST_P(Blends, ASquareStaysWithinTheTolerance) {
 
 TEST_P(Blends, AFineToleranceIsTheControllersUnlessTheProgramSetsOne) {
     PlannerSetup setup = blend_setup(GetParam());
-    setup.controller.blend_tolerance_mm = 0.01;
+    setup.controller.corners.blend_tolerance_mm = 0.01;
     for (const double programmed_mm : {0.0, 0.2}) {
         Path path(setup);
         path.tolerance_mm = programmed_mm;
@@ -150,7 +150,7 @@ TEST_P(Blends, AFineToleranceIsTheControllersUnlessTheProgramSetsOne) {
         const double expected_value = programmed_mm > 0 ? programmed_mm : 0.01;
         EXPECT_NEAR(nearest_mm(path.out(), {20, 0, 0}), expected_value, 1e-9);
     }
-    setup.controller.blend_tolerance_mm = 0;
+    setup.controller.corners.blend_tolerance_mm = 0;
     Path exact(setup);
     exact.line(20, 0);
     exact.line(20, 20);
@@ -179,7 +179,7 @@ TEST_P(Blends, SlowFeedsNeedLessThanTheTolerance) {
 
 TEST_P(Blends, HalfOfAShortLineIsCutAtMost) {
     PlannerSetup setup = blend_setup(GetParam());
-    setup.controller.blend_tolerance_mm = 5;
+    setup.controller.corners.blend_tolerance_mm = 5;
     Path path(setup);
     path.line(20, 0);
     path.line(20, 1);
@@ -194,7 +194,7 @@ TEST_P(Blends, RotaryJointsHaveATolerance) {
     PlannerSetup setup = blend_setup(GetParam());
     setup.joints.push_back({rrs::JointKind::revolute, -kUnlimited, kUnlimited, 1, 2});
     setup.joints.back().max_jerk = 40;
-    setup.controller.blend_tolerance_deg = 0.25;
+    setup.controller.corners.blend_tolerance_deg = 0.25;
     Path path(setup);
     path.line(joint_pos({20, 0, 0, 0.3}));
     path.line(joint_pos({40, 0, 0, 0}));  // straight on for the tool
@@ -260,9 +260,9 @@ TEST_P(Blends, FewBlocksKnownAreNoTrap) {
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int run = 0; run < 20; ++run) {
         PlannerSetup setup = blend_setup(GetParam());
-        setup.controller.look_ahead_blocks = run < 5 ? 100 : 1 + static_cast<std::size_t>(run % 5);
+        setup.controller.blocks.look_ahead = run < 5 ? 100 : 1 + static_cast<std::size_t>(run % 5);
         PlannerSetup stops = setup;
-        stops.controller.corner = CornerRule::stop;
+        stops.controller.corners.continuous = CornerRule::stop;
         Path blended(setup);
         Path stopping(stops);
         for (int i = 0; i < 30; ++i) {
@@ -309,7 +309,7 @@ TEST(Blend, JerkLimitsASmoothOne) {
 TEST(Blend, IsACriterionOfFlyby) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
-    setup.controller.corner = CornerRule::parabolic_blend;
+    setup.controller.corners.continuous = CornerRule::parabolic_blend;
     ReadyPlanner ready(setup, rrs::JointPos::Zero(5));
     EXPECT_EQ(ready.planner.SetFlybyCriteriaParameter(3, -1, 0.1), rrs::Status::RRS_SUCCESS);
     EXPECT_EQ(ready.planner.SelectFlybyCriteria(3), rrs::Status::RRS_SUCCESS);

@@ -66,7 +66,7 @@ TEST(ArcThrough, PointsOnOneLineGiveNoCircle) {
         return planned.error().message;
     };
     const std::string on_line =
-        "The via point of the arc lies on the straight line from its start to its target.";
+        "The via point of the arc is on the straight line from its start to its target.";
     EXPECT_EQ(rejection({0, 0, 0}, {1, 1, 1}, {3, 3, 3}), on_line);
     EXPECT_EQ(rejection({0.1, 0.2, 0.3}, {0.1 + 1e-3, 0.2 + 1e-3, 0.3 + 1e-3}, {1.1, 1.2, 1.3}), on_line);
     EXPECT_EQ(rejection({0, 0, 0}, {7, 7, 7}, {3, 3, 3}), on_line);

@@ -18,9 +18,10 @@ constexpr double kStep = 5;            // mm/s
 /// Corners by the steps of the joints' speeds, as the 9/Series' model has it.
 PlannerSetup stepping_setup() {
     PlannerSetup setup = router_setup();
-    setup.controller.corner = setup.controller.exact_path_corner = rrs::CornerRule::velocity_step;
-    setup.controller.look_ahead_blocks = 400;
-    setup.controller.centripetal_share = 0.866;
+    setup.controller.corners.continuous = setup.controller.corners.exact_path =
+        rrs::CornerRule::velocity_step;
+    setup.controller.blocks.look_ahead = 400;
+    setup.controller.ramps.centripetal_share = 0.866;
     for (JointSetup& joint : setup.joints) {
         joint.max_acceleration = kAcceleration;
         joint.max_deceleration = {};
@@ -66,7 +67,7 @@ double excess(const std::vector<rrs::JointPos>& velocities, std::size_t window) 
 /// Expects that jumps by the corners, beyond a step, stay within their share of the acceleration; ramps may
 /// be added.
 void expect_bounded(const Path& path) {
-    const double bound = 1 + path.setup().controller.centripetal_share;
+    const double bound = 1 + path.setup().controller.ramps.centripetal_share;
     const auto all = velocities(path);
     for (const std::size_t window : {10U, 20U, 50U, 100U, 200U})
         EXPECT_LE(excess(all, window), bound) << window;

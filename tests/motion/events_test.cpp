@@ -126,9 +126,9 @@ TEST_P(Events, WaitForAStop) {
 PlannerSetup holding_setup(rrs::PlannerKind kind) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = kind;
-    setup.controller.corner = rrs::CornerRule::velocity_step;
+    setup.controller.corners.continuous = rrs::CornerRule::velocity_step;
     for (JointSetup& joint : setup.joints) joint.max_speed_step = 5;
-    setup.controller.servo_period_s = 0.001;
+    setup.controller.position_loop.servo_period_s = 0.001;
     return setup;
 }
 
@@ -152,7 +152,7 @@ class HeldEvents : public testing::TestWithParam<rrs::PlannerKind> {
     Status step() {
         rrs::JointPos joints;
         rrs::CartPos pose;
-        const double from_s = planner().step_time_s();
+        const double from_s = planner().timeline().step_time_s();
         const Status status = planner().GetNextStep(joints, pose, elapsed_s_);
         int id = 0;
         double time_s = 0;
@@ -242,7 +242,7 @@ TEST_P(HeldEvents, KeepTheirTimeWhereTheyAreKnownTooLate) {
     planner().DefinePathEvent(3, 14, -7);
     planner().DefineEvent(4, 31, -0.5);
     planner().flush();
-    const double flushed_s = planner().step_time_s();
+    const double flushed_s = planner().timeline().step_time_s();
     step();
     ASSERT_EQ(times_s_.size(), 3U);
     EXPECT_NEAR(times_s_.at(1), reached_s(10) + 0.02, 1e-9);

@@ -12,7 +12,7 @@ using rrs::Status;
 PlannerSetup make_setup(PlannerKind kind) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = kind;
-    setup.controller.servo_period_s = kind == PlannerKind::linuxcnc ? 0.001 : 0;
+    setup.controller.position_loop.servo_period_s = kind == PlannerKind::linuxcnc ? 0.001 : 0;
     return setup;
 }
 
@@ -76,7 +76,7 @@ TEST_P(FlybyServices, WhatAControllerDoesNotHaveItRefuses) {
 
 TEST_P(FlybyServices, ExactStopsWaitAsSelected) {
     PlannerSetup setup = make_setup(PlannerKind::look_ahead);
-    setup.controller.settle_s = 0.25;
+    setup.controller.position_loop.settle_s = 0.25;
     ReadyShell ready(make(setup), joint_pos({0, 0, 0, 0, 0}));
     rrs::Shell& planner = ready.planner;
     planner.SelectMotionType(rrs::MotionType::linear);

@@ -56,14 +56,14 @@ TEST(FollowingError, OfARampDown) {
 
 PlannerSetup loop_setup() {
     PlannerSetup setup = router_setup();
-    setup.controller.position_gain_1_s = 20;
-    setup.controller.in_position_mm = 0.01;
+    setup.controller.position_loop.gain_1_s = 20;
+    setup.controller.position_loop.in_position_mm = 0.01;
     return setup;
 }
 
 TEST(FollowingError, AnExactStopWaitsUntilTheErrorIsInItsBand) {
     PlannerSetup setup = loop_setup();
-    setup.controller.settle_s = 0.125;
+    setup.controller.position_loop.settle_s = 0.125;
     Path path(setup);
     path.mode = rrs::PathMode::exact_stop;
     path.line(300, 0);
@@ -82,7 +82,7 @@ TEST(FollowingError, AnExactStopWaitsUntilTheErrorIsInItsBand) {
 TEST(FollowingError, AJointHasItsShareAndItsBand) {
     PlannerSetup setup = loop_setup();
     setup.joints.push_back({rrs::JointKind::revolute});
-    setup.controller.in_position_deg = 0.001;
+    setup.controller.position_loop.in_position_deg = 0.001;
     Path path(setup);
     path.mode = rrs::PathMode::exact_stop;
     path.line(joint_pos({300, 0, 0, 1.5}));

@@ -70,7 +70,7 @@ TEST_F(LineMove, AllJointsGoInProportionByTheSlowestOfThem) {
     const Segment& slow = go({600, 500, 300, kPi, 0});
     EXPECT_TRUE(slow.followers().empty());
     EXPECT_DOUBLE_EQ(slow.duration_s, trapezoid_s(100, quarter / kPi * 100, quarter / kPi * 100));
-    EXPECT_EQ(slow.limited_by, (LimitedBy{LimitKind::joint_speed, 3}));
+    EXPECT_EQ(slow.limited_by, (LimitCause{LimitKind::joint_speed, 3}));
     const Segment& fast = go({1000, 500, 300, kPi - 0.1, 0.2});
     EXPECT_DOUBLE_EQ(fast.duration_s, 400 / 100.0 + 100 / acceleration);
     for (const double part : {0.01, 0.1, 0.3, 0.5, 0.8}) {
@@ -198,7 +198,7 @@ class OwnRamps : public LineMove {
     OwnRamps() : LineMove(independent_ramps()) {}
     static PlannerSetup independent_ramps() {
         PlannerSetup setup = gantry_setup();
-        setup.controller.independent_ramps = true;
+        setup.controller.coordination.independent_ramps = true;
         return setup;
     }
 };

@@ -15,10 +15,11 @@ namespace gsim::motion {
 inline PlannerSetup router_setup() {
     PlannerSetup setup = three_slide_machine();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
-    setup.controller.look_ahead_blocks = 15;
-    setup.controller.corner = setup.controller.exact_path_corner = rrs::CornerRule::junction_deviation;
-    setup.controller.stop_between_rapid_and_feed = false;
-    setup.controller.centripetal_share = kUnlimited;
+    setup.controller.blocks.look_ahead = 15;
+    setup.controller.corners.continuous = setup.controller.corners.exact_path =
+        rrs::CornerRule::junction_deviation;
+    setup.controller.corners.stop_between_rapid_and_feed = false;
+    setup.controller.ramps.centripetal_share = kUnlimited;
     return setup;
 }
 

@@ -68,7 +68,7 @@ TEST(LookAhead, OneLineIsATrapezoid) {
     EXPECT_TRUE(path.out().segments.empty()) << "more may come";
     path.standstill();
     EXPECT_NEAR(path.out().time_s(), 1.1, 1e-12);
-    EXPECT_EQ(path.out().segments[0].limited_by, (LimitedBy{LimitKind::feed, -1}));
+    EXPECT_EQ(path.out().segments[0].limited_by, (LimitCause{LimitKind::feed, -1}));
 }
 
 /// Speeds that were measured on grbl 1.1 with these settings.
@@ -94,7 +94,7 @@ TEST(LookAhead, AWindowOfShortBlocksHoldsTheSpeedDown) {
     const double expected = std::sqrt(2 * 1000 * 14 * 0.05);
     EXPECT_NEAR(path.exit_speed(200), expected, 1e-9);
     EXPECT_EQ(path.out().segments[200].limited_by.kind, LimitKind::look_ahead);
-    setup.controller.look_ahead_blocks = 1000;
+    setup.controller.blocks.look_ahead = 1000;
     Path far(setup);
     for (int i = 1; i <= 400; ++i) far.line(0.05 * i, 0);
     far.standstill();
@@ -104,7 +104,7 @@ TEST(LookAhead, AWindowOfShortBlocksHoldsTheSpeedDown) {
 
 TEST(LookAhead, ExactStopsStopAndStraightOnPassesInExactPathMode) {
     PlannerSetup setup = router_setup();
-    setup.controller.exact_path_corner = CornerRule::stop;
+    setup.controller.corners.exact_path = CornerRule::stop;
     Path path(setup);
     path.mode = PathMode::exact_stop;
     path.line(10, 0);
@@ -121,7 +121,7 @@ TEST(LookAhead, ExactStopsStopAndStraightOnPassesInExactPathMode) {
 
 TEST(LookAhead, VelocityStepOfEachJoint) {
     PlannerSetup setup = router_setup();
-    setup.controller.corner = CornerRule::velocity_step;
+    setup.controller.corners.continuous = CornerRule::velocity_step;
     setup.joints[0].max_speed_step = 12;
     setup.joints[1].max_speed_step = 20;
     Path path(setup);
@@ -130,7 +130,7 @@ TEST(LookAhead, VelocityStepOfEachJoint) {
     path.standstill();
     EXPECT_NEAR(path.exit_speed(0), 12, 1e-9);
     setup.joints[0].max_speed_step = setup.joints[1].max_speed_step = kUnlimited;
-    setup.controller.speed_step_s = 0.003;
+    setup.controller.corners.speed_step_s = 0.003;
     Path over_time(setup);
     over_time.line(50, 0);
     over_time.line(50, 50);
@@ -141,7 +141,7 @@ TEST(LookAhead, VelocityStepOfEachJoint) {
 TEST(LookAhead, RapidAndFeedAreJoinedOrNot) {
     for (const bool stops : {false, true}) {
         PlannerSetup setup = router_setup();
-        setup.controller.stop_between_rapid_and_feed = stops;
+        setup.controller.corners.stop_between_rapid_and_feed = stops;
         Path path(setup);
         path.rapid = true;
         path.line(50, 0);
@@ -154,7 +154,7 @@ TEST(LookAhead, RapidAndFeedAreJoinedOrNot) {
 
 TEST(LookAhead, ACurveSharesTheAcceleration) {
     PlannerSetup setup = router_setup();
-    setup.controller.centripetal_share = 0.6;
+    setup.controller.ramps.centripetal_share = 0.6;
     Path path(setup);
     path.arc(20, 0, 2 * kPi, 1000);
     path.standstill();
@@ -172,7 +172,7 @@ TEST(LookAhead, ACurveSharesTheAcceleration) {
 TEST(LookAhead, ACurveMayHaveALimitOfItsOwn) {
     PlannerSetup setup = router_setup();
     setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 500, 1000});
-    setup.controller.centripetal_share = 2;
+    setup.controller.ramps.centripetal_share = 2;
     Path path(setup);
     path.arc(20, 0, 2 * kPi, 1000);
     path.standstill();
@@ -182,7 +182,7 @@ TEST(LookAhead, ACurveMayHaveALimitOfItsOwn) {
 
 TEST(LookAhead, ContinuousModeMayHaveAPartOfTheAcceleration) {
     PlannerSetup setup = router_setup();
-    setup.controller.continuous_acceleration_share = 0.5;
+    setup.controller.ramps.continuous_acceleration_share = 0.5;
     for (const auto& [mode, acceleration] :
          {std::pair{rrs::PathMode::continuous, 500.0}, std::pair{rrs::PathMode::exact_path, 1000.0}}) {
         Path path(setup);
@@ -197,16 +197,16 @@ TEST(LookAhead, ContinuousModeMayHaveAPartOfTheAcceleration) {
 /// chords.
 TEST(LookAhead, ABlockTakesTimeToBeMadeReady) {
     PlannerSetup setup = router_setup();
-    setup.controller.block_time_s = 0.01;
+    setup.controller.blocks.time_s = 0.01;
     Path lines(setup);
     for (int i = 1; i <= 200; ++i) lines.line(0.1 * i, 0, 50);
     lines.standstill();
     EXPECT_NEAR(lines.out().time_s(), trapezoid_s(20, 10, 1000), 1e-9);
     EXPECT_EQ(lines.out().segments[100].limited_by.kind, LimitKind::block_time);
 
-    setup.controller.block_time_s = 2;
+    setup.controller.blocks.time_s = 2;
     for (const double chord_tolerance_mm : {0.0, 0.002}) {
-        setup.controller.arc_chord_tolerance_mm = chord_tolerance_mm;
+        setup.controller.curves.arc_chord_tolerance_mm = chord_tolerance_mm;
         Path arc(setup);
         arc.arc(5, 0, 2 * kPi, 50);
         arc.standstill();
@@ -217,7 +217,7 @@ TEST(LookAhead, ABlockTakesTimeToBeMadeReady) {
 
 TEST(LookAhead, ArcsBecomeChords) {
     PlannerSetup setup = router_setup();
-    setup.controller.arc_chord_tolerance_mm = 0.002;
+    setup.controller.curves.arc_chord_tolerance_mm = 0.002;
     Path path(setup);
     path.arc(20, 0, 2 * kPi, 50);
     path.standstill();
@@ -231,7 +231,7 @@ TEST(LookAhead, ArcsBecomeChords) {
 
 TEST(LookAhead, StepsOfTheJointsAreTheEndsOfBlocks) {
     PlannerSetup setup = router_setup();
-    setup.controller.arc_chord_tolerance_mm = 0.002;
+    setup.controller.curves.arc_chord_tolerance_mm = 0.002;
     for (JointSetup& joint : setup.joints) joint.step = 0.25;
     Path path(setup);
     path.line(1.1, 0.3);
@@ -276,10 +276,11 @@ TEST(LookAhead, LimitsHoldOnRandomPaths) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (int run = 0; run < 60; ++run) {
         PlannerSetup setup = router_setup();
-        setup.controller.corner = run % 2 == 0 ? CornerRule::junction_deviation : CornerRule::velocity_step;
-        setup.controller.centripetal_share = 0.866;
-        setup.controller.look_ahead_blocks = static_cast<std::size_t>(1 + 40 * unit(random));
-        setup.controller.limit_jerk = run % 3 == 0;
+        setup.controller.corners.continuous =
+            run % 2 == 0 ? CornerRule::junction_deviation : CornerRule::velocity_step;
+        setup.controller.ramps.centripetal_share = 0.866;
+        setup.controller.blocks.look_ahead = static_cast<std::size_t>(1 + 40 * unit(random));
+        setup.controller.ramps.limit_jerk = run % 3 == 0;
         for (JointSetup& joint : setup.joints) {
             joint.max_speed = 50 + 400 * unit(random);
             joint.max_acceleration = 100 + 3000 * unit(random);
@@ -304,7 +305,7 @@ TEST(LookAhead, LimitsHoldOnRandomPaths) {
         }
         path.standstill();
         expect_one_motion(path.out(), setup);
-        if (setup.controller.limit_jerk) expect_jerk_along_the_way(path.out(), setup);
+        if (setup.controller.ramps.limit_jerk) expect_jerk_along_the_way(path.out(), setup);
         ASSERT_FALSE(testing::Test::HasFailure()) << "run " << run;
     }
 }
@@ -316,8 +317,8 @@ TEST(LookAhead, EachExitIsTheBestOfItsWindow) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (int run = 0; run < 40; ++run) {
         PlannerSetup setup = router_setup();
-        setup.controller.look_ahead_blocks = 1 + static_cast<std::size_t>(12 * unit(random));
-        setup.controller.stop_between_rapid_and_feed = false;
+        setup.controller.blocks.look_ahead = 1 + static_cast<std::size_t>(12 * unit(random));
+        setup.controller.corners.stop_between_rapid_and_feed = false;
         Path path(setup);
         std::vector<double> length, feed;
         for (int i = 0; i < 120; ++i) {
@@ -328,7 +329,7 @@ TEST(LookAhead, EachExitIsTheBestOfItsWindow) {
         path.standstill();
         double speed = 0;
         for (std::size_t i = 0; i < length.size(); ++i) {
-            const std::size_t end = std::min(i + setup.controller.look_ahead_blocks, length.size());
+            const std::size_t end = std::min(i + setup.controller.blocks.look_ahead, length.size());
             double planned = 0;
             for (std::size_t k = end; --k > i;) {
                 const double corner = std::min(feed[k - 1], feed[k]);
@@ -344,7 +345,7 @@ TEST(LookAhead, EachExitIsTheBestOfItsWindow) {
 /// Each block is planned once, not once for each following block: this would take minutes.
 TEST(LookAhead, ManyBlocksBeforeAnyComesOut) {
     PlannerSetup setup = router_setup();
-    setup.controller.look_ahead_blocks = 200'000;
+    setup.controller.blocks.look_ahead = 200'000;
     Path path(setup);
     for (int i = 1; i <= 60'000; ++i) path.line(1e-5 * i, 0);
     path.standstill();
@@ -354,7 +355,7 @@ TEST(LookAhead, ManyBlocksBeforeAnyComesOut) {
 /// A chord of a small arc may vanish on the grid of the joints' steps; the one before it reaches the target.
 TEST(LookAhead, AnArcReachesItsTargetWhereItsLastChordIsRoundedAway) {
     PlannerSetup setup = router_setup();
-    setup.controller.arc_chord_tolerance_mm = 0.0002;
+    setup.controller.curves.arc_chord_tolerance_mm = 0.0002;
     for (JointSetup& joint : setup.joints) joint.step = 0.01;
     std::mt19937 random(72);
     std::uniform_real_distribution<double> unit(0, 1);

@@ -14,7 +14,7 @@ inline void set_ramps(PlannerSetup& setup, std::mt19937& random, bool jerk) {
         joint.max_deceleration = joint.max_acceleration * std::exp(log_scale(random));
         joint.max_jerk = joint.max_acceleration * 10 * std::exp(log_scale(random));
     }
-    setup.controller.limit_jerk = jerk;
+    setup.controller.ramps.limit_jerk = jerk;
 }
 
 /// Expects that a law keeps speed, acceleration, deceleration and jerk. Within the law its speed does not
@@ -54,7 +54,8 @@ inline LawLimits machine_limits(const Segment& segment, const PlannerSetup& setu
         limits.max_speed = std::min(limits.max_speed, joint_setup.max_speed / share);
         limits.acceleration = std::min(limits.acceleration, joint_setup.max_acceleration / share);
         limits.deceleration = std::min(limits.deceleration, joint_setup.deceleration() / share);
-        if (setup.controller.limit_jerk) limits.jerk = std::min(limits.jerk, joint_setup.max_jerk / share);
+        if (setup.controller.ramps.limit_jerk)
+            limits.jerk = std::min(limits.jerk, joint_setup.max_jerk / share);
     }
     return limits;
 }
@@ -70,7 +71,7 @@ inline void expect_segment_limits(const Segment& segment, const PlannerSetup& se
         const JointSetup& joint_setup = setup.joints[static_cast<std::size_t>(follower.joint)];
         expect_law_limits(follower.law,
                           {joint_setup.max_speed, joint_setup.max_acceleration, joint_setup.deceleration(),
-                           setup.controller.limit_jerk ? joint_setup.max_jerk : kUnlimited});
+                           setup.controller.ramps.limit_jerk ? joint_setup.max_jerk : kUnlimited});
     }
 }
 

@@ -179,10 +179,10 @@ TEST_P(OddSegments, RoundedCornersSurviveAnything) {
         SCOPED_TRACE(testing::Message() << "session " << session);
         PlannerSetup setup = make_setup(session);
         setup.controller.planner = rrs::PlannerKind::look_ahead;
-        setup.controller.corner =
+        setup.controller.corners.continuous =
             session % 4 < 2 ? rrs::CornerRule::parabolic_blend : rrs::CornerRule::smooth_blend;
-        setup.controller.limit_jerk = session % 5 < 2;
-        setup.controller.position_gain_1_s = 30;
+        setup.controller.ramps.limit_jerk = session % 5 < 2;
+        setup.controller.position_loop.gain_1_s = 30;
         FiniteSink sink;
         DefaultPlanner planner(setup, &sink);
         planner.Initialize();

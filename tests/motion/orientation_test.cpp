@@ -15,8 +15,8 @@ using rrs::Status;
 PlannerSetup great_circle_setup(PlannerKind kind = PlannerKind::rest_to_rest) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = kind;
-    setup.controller.orientation = rrs::OrientationRule::great_circle;
-    setup.controller.corner = rrs::CornerRule::velocity_step;
+    setup.controller.coordination.orientation = rrs::OrientationRule::great_circle;
+    setup.controller.corners.continuous = rrs::CornerRule::velocity_step;
     return setup;
 }
 
@@ -44,7 +44,7 @@ void expect_great_circle(const PlannerSetup& setup, const Segment& segment) {
 /// Checks accelerations, and jerks as differences of these within the parts of the lead.
 void expect_ramp_limits(const PlannerSetup& setup, const Segment& segment) {
     expect_joint_limits(segment, setup, 300);
-    if (!setup.controller.limit_jerk) return;
+    if (!setup.controller.ramps.limit_jerk) return;
     double start_s = 0;
     for (const LawSection& section : segment.master.sections()) {
         const double dt = section.duration_s / 50;
@@ -122,7 +122,7 @@ void run_random(PlannerSetup setup, unsigned seed) {
 TEST(Orientation, RandomMovesFromRestToRestFollowGreatCirclesWithinLimits) {
     for (unsigned seed = 0; seed < 4; ++seed) {
         PlannerSetup setup = great_circle_setup();
-        setup.controller.limit_jerk = seed % 2 == 1;
+        setup.controller.ramps.limit_jerk = seed % 2 == 1;
         run_random(setup, seed);
     }
 }
@@ -130,7 +130,7 @@ TEST(Orientation, RandomMovesFromRestToRestFollowGreatCirclesWithinLimits) {
 TEST(Orientation, RandomMovesWithLookAheadFollowGreatCirclesWithinLimits) {
     for (unsigned seed = 0; seed < 4; ++seed) {
         PlannerSetup setup = great_circle_setup(PlannerKind::look_ahead);
-        setup.controller.limit_jerk = seed % 2 == 1;
+        setup.controller.ramps.limit_jerk = seed % 2 == 1;
         run_random(setup, seed + 10);
     }
 }
@@ -318,11 +318,11 @@ TEST(Orientation, ModesAreSelectedWhereTheMachineAndItsControllerHaveThem) {
     EXPECT_EQ(expected_status(setup), Status::RRS_SUCCESS);
     setup.controller.planner = PlannerKind::look_ahead;
     EXPECT_EQ(expected_status(setup), Status::RRS_SUCCESS);
-    setup.controller.arc_chord_tolerance_mm = 0.002;
+    setup.controller.curves.arc_chord_tolerance_mm = 0.002;
     EXPECT_EQ(expected_status(setup), Status::RRS_MODE_NOT_SUPPORTED) << "lines alone";
     std::mt19937 random(1);
     EXPECT_EQ(expected_status(odd_setup(random)), Status::RRS_MODE_NOT_SUPPORTED) << "no head";
-    setup.controller.orientation = rrs::OrientationRule::great_circle;
+    setup.controller.coordination.orientation = rrs::OrientationRule::great_circle;
     EXPECT_TRUE(setup.validate());
 }
 

@@ -26,9 +26,9 @@ PlannerSetup make_setup(Planner planner) {
     rrs::ControllerRules& rules = setup.controller;
     if (planner == Planner::standstill) return setup;
     rules.planner = planner == Planner::linuxcnc ? rrs::PlannerKind::linuxcnc : rrs::PlannerKind::look_ahead;
-    rules.look_ahead_blocks = 15;
-    rules.corner = rules.exact_path_corner = rrs::CornerRule::junction_deviation;
-    rules.stop_between_rapid_and_feed = planner == Planner::linuxcnc;
+    rules.blocks.look_ahead = 15;
+    rules.corners.continuous = rules.corners.exact_path = rrs::CornerRule::junction_deviation;
+    rules.corners.stop_between_rapid_and_feed = planner == Planner::linuxcnc;
     return setup;
 }
 
@@ -44,7 +44,7 @@ class Operated {
     explicit Operated(const PlannerSetup& setup, std::vector<OverrideChange> changes = {})
         : planner_(setup, &sink_) {
         if (!changes.empty())
-            planner_.set_overrides(std::make_shared<const OverrideSchedule>(std::move(changes)));
+            planner_.machine().set_overrides(std::make_shared<const OverrideSchedule>(std::move(changes)));
         planner_.Initialize();
         planner_.SetInitialPosition(rrs::CartPos::Identity(), joint_pos({0, 0, 0}), {});
         planner_.SelectMotionType(rrs::MotionType::linear);
@@ -67,8 +67,8 @@ class Operated {
                                             sweep_rad, rrs::CartPos::Identity(), joint_pos({x, y, 0})),
                   rrs::Status::RRS_SUCCESS);
     }
-    void set_obeyed_overrides(const EnabledOverrides& enabled_overrides) {
-        planner_.set_obeyed_overrides(enabled_overrides);
+    void set_enabled_overrides(const EnabledOverrides& enabled_overrides) {
+        planner_.set_enabled_overrides(enabled_overrides);
     }
     DefaultPlanner& planner() { return planner_; }
     /// Ends the program and returns its time.
@@ -131,9 +131,9 @@ TEST_P(OverridesOf, ARapidTakesItsShareOfTheSpeedAndTheWholeAcceleration) {
 
 TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
     Operated run(setup(), constant({.feed = 0.5, .rapid = 0.5, .spindle = 0.5}));
-    run.set_obeyed_overrides({.feed = false, .rapid = false});
+    run.set_enabled_overrides({.feed = false, .rapid = false});
     run.feed(100, 0, 10);
-    run.planner().plan_to_standstill();
+    run.planner().dwells().plan_to_standstill();
     const double feed_s = run.planner().time_s();
     EXPECT_NEAR(feed_s, trapezoid_s(100, 10), 1e-9);
     run.rapid(0, 0);
@@ -142,9 +142,9 @@ TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
 
 TEST_P(OverridesOf, TheLockOfAMoveIsThatOfItsTarget) {
     Operated run(setup(), constant({.feed = 0.5}));
-    run.set_obeyed_overrides({.feed = false});
+    run.set_enabled_overrides({.feed = false});
     run.feed(100, 0, 10);
-    run.set_obeyed_overrides({});
+    run.set_enabled_overrides({});
     run.feed(100, 50, 10);
     double locked_s = 0;
     run.end();
@@ -158,7 +158,7 @@ TEST_P(OverridesOf, TheLockOfAMoveIsThatOfItsTarget) {
 
 TEST_P(OverridesOf, WhatFollowsTheSpindleHasTheProductOfBoth) {
     Operated run(setup(), constant({.feed = 0.5, .spindle = 1.5}));
-    run.set_obeyed_overrides({.spindle = true});
+    run.set_enabled_overrides({.spindle = true});
     run.feed(100, 0, 10);
     EXPECT_NEAR(run.end(), trapezoid_s(100, 7.5), 1e-9);
 }
@@ -203,7 +203,7 @@ TEST_P(OverridesOf, ARapidUnderWayIsNoneOfTheFeedOverride) {
 
 TEST_P(OverridesOf, AnArcIsCutOnItsCircle) {
     PlannerSetup slides = setup();
-    slides.controller.centripetal_share = 0.5;
+    slides.controller.ramps.centripetal_share = 0.5;
     Operated run(slides, {{1, {.feed = 0.5}}, {2, {.feed = 0.8}}});
     run.arc(-20, 0, kPi, -40, 0, 20);
     run.end();
@@ -321,8 +321,9 @@ INSTANTIATE_TEST_SUITE_P(Planners, OverridesOf,
 TEST(Overrides, RoundedCornersKeepTheLimits) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         PlannerSetup setup = make_setup(Planner::look_ahead);
-        setup.controller.corner = setup.controller.exact_path_corner = rrs::CornerRule::parabolic_blend;
-        setup.controller.stop_between_rapid_and_feed = true;
+        setup.controller.corners.continuous = setup.controller.corners.exact_path =
+            rrs::CornerRule::parabolic_blend;
+        setup.controller.corners.stop_between_rapid_and_feed = true;
         Operated run(setup, random_changes(seed, seed % 2 == 1));
         random_program(seed, run);
         run.end();
@@ -346,7 +347,7 @@ TEST(Overrides, RoundedCornersKeepTheLimits) {
 TEST(Overrides, AnSCurveIsTurnedWithoutAJumpOfTheAcceleration) {
     for (const Planner planner : {Planner::standstill, Planner::look_ahead}) {
         PlannerSetup setup = make_setup(planner);
-        setup.controller.limit_jerk = true;
+        setup.controller.ramps.limit_jerk = true;
         for (JointSetup& joint : setup.joints) joint.max_jerk = 20'000;
         Operated run(setup,
                      {{0.02, {.feed = 0.5}}, {1, {.feed = 1.5}}, {1.2, {.feed = 0}}, {2, {.feed = 1}}});

@@ -72,7 +72,7 @@ TEST(PlannerQueue, SegmentsLeaveInOrderEachOnceAndJoinWithoutGaps) {
     }
     EXPECT_EQ(clock, at.planner.time_s());
     EXPECT_EQ(position, at.planner.position());
-    EXPECT_EQ(at.planner.step_time_s(), clock);
+    EXPECT_EQ(at.planner.timeline().step_time_s(), clock);
 }
 
 TEST_P(QueueServices, StepsAreSamplesOfTheSegments) {
@@ -206,12 +206,12 @@ TEST(PlannerQueue, SegmentsLeaveAsStepsPassThem) {
         const Status status = at.planner.GetNextStep(joints, pose, elapsed);
         if (status == Status::RRS_NEED_MORE_DATA) break;
         clock += elapsed;
-        ASSERT_NEAR(clock, at.planner.step_time_s(), 1e-9);
+        ASSERT_NEAR(clock, at.planner.timeline().step_time_s(), 1e-9);
         const std::size_t passed = at.collector.segments.size();
         ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > remaining);
         remaining = passed;
     }
-    EXPECT_EQ(at.planner.step_time_s(), at.planner.time_s());
+    EXPECT_EQ(at.planner.timeline().step_time_s(), at.planner.time_s());
     EXPECT_EQ(ids(at.collector.segments), (std::vector<rrs::TargetId>{1, 2, 3, 4, 5, 6, 6, 7}));
 }
 
@@ -253,7 +253,7 @@ TEST_P(QueueServices, WithoutASinkAFullQueueAsksForSteps) {
     planner->SetRestParameter(0);
     EXPECT_EQ(planner->SetNextRest(2, 1), Status::RRS_SUCCESS);
     EXPECT_EQ(planner->SetNextRest(3, 1), Status::RRS_QUEUE_FULL);
-    EXPECT_EQ(message(*planner), "2 targets are waiting; call GetNextStep before more are put.");
+    EXPECT_EQ(message(*planner), "2 targets are pending; call GetNextStep before setting more.");
     planner->SetInterpolationTime(1);
     rrs::JointPos joints;
     CartPos pose;
@@ -309,8 +309,8 @@ TEST(PlannerQueue, SegmentLeavesOnceEvenIfTheSinkThrows) {
 TEST(PlannerQueue, WhatFollowsALineOnTheGridStartsThere) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
-    setup.controller.corner = rrs::CornerRule::junction_deviation;
-    setup.controller.arc_chord_tolerance_mm = 0.002;
+    setup.controller.corners.continuous = rrs::CornerRule::junction_deviation;
+    setup.controller.curves.arc_chord_tolerance_mm = 0.002;
     for (JointSetup& joint : setup.joints) joint.step = 1.0 / 250;
     ReadyPlanner ready(setup, kinematics::joint_pos({1.0013, 0, 0, 0, 0}));
     ready.planner.SetCartesianPositionSpeed(50);

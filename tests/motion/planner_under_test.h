@@ -29,16 +29,16 @@ inline std::unique_ptr<rrs::Shell> make_in_process(const PlannerSetup& setup) {
 inline std::unique_ptr<rrs::Shell> make_through_module(const PlannerSetup& setup) {
     const rcs::RcsMachine machine(setup);
     static const auto library = rrs::RcsLibrary::load(tests::default_module_path(), machine.get());
-    if (!library) throw std::runtime_error(library.error());
+    if (!library) throw std::runtime_error(library.error().message);
     auto module = rrs::RcsModule::create(*library, machine.get());
-    if (!module) throw std::runtime_error(module.error());
+    if (!module) throw std::runtime_error(module.error().message);
     return std::make_unique<rrs::RcsShell>(*std::move(module), setup.joint_count());
 }
 
 inline std::unique_ptr<rrs::Shell> make_through_process(const PlannerSetup& setup) {
     auto module = rrs::start_rcs_process(tests::program_path("gsim-rcs-host"), tests::default_module_path(),
                                          rcs::RcsMachine(setup).get());
-    if (!module) throw std::runtime_error(module.error());
+    if (!module) throw std::runtime_error(module.error().message);
     return std::make_unique<rrs::RcsShell>(*std::move(module), setup.joint_count());
 }
 

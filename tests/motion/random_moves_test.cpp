@@ -166,18 +166,18 @@ TEST_F(RandomMoves, LinesKeepAllLimitsAndTakeTheTimeOfTheSlowestRule) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         PlannerSetup setup = odd_setup(random);
-        setup.controller.independent_ramps = coin();
+        setup.controller.coordination.independent_ramps = coin();
         const rrs::JointPos start = random_target(setup, 1), displacement = random_target(setup, 0.6);
         ReadyPlanner at(setup, start);
         at.planner.SelectMotionType(rrs::MotionType::linear);
         const Programme p = programme(at.planner, true);
         ASSERT_EQ(at.to(start + displacement), Status::RRS_SUCCESS) << at.message();
         const Segment& segment = at.last();
-        const auto rule = setup.controller.independent_ramps ? line_time_s : proportional_time_s;
+        const auto rule = setup.controller.coordination.independent_ramps ? line_time_s : proportional_time_s;
         const double expected_s = rule(setup, p, segment.end - segment.start);
         ASSERT_NEAR(segment.duration_s, expected_s, 1e-9 * expected_s);
         if (expected_s == 0) continue;
-        if (!setup.controller.independent_ramps) expect_in_proportion(segment);
+        if (!setup.controller.coordination.independent_ramps) expect_in_proportion(segment);
         expect_joint_limits(segment, setup);
         expect_straight(segment, setup);
         expect_smooth(segment);

@@ -76,7 +76,7 @@ TEST(RestRamps, StretchedToATime) {
         const double length = 30 * std::exp(log_scale(random));
         const double min_s = TimeLaw::between(length, 0, 0, limits).duration_s();
         const double section = round % 5 == 0 ? 1 : 1 + std::exp(3 * log_scale(random) - 3);
-        const TimeLaw law = TimeLaw::in_time(length, min_s * section, limits);
+        const TimeLaw law = TimeLaw::with_duration(length, min_s * section, limits);
         EXPECT_EQ(law.duration_s(), min_s * section);
         const LawSection& last = law.sections().back();
         const double t = last.duration_s;

@@ -13,12 +13,12 @@ constexpr double kPi = std::numbers::pi;
 /// As samples/controllers/blend.toml has it.
 PlannerSetup blending_setup(rrs::CornerRule corner, bool limit_jerk) {
     PlannerSetup setup = router_setup();
-    setup.controller.corner = corner;
-    setup.controller.exact_path_corner = rrs::CornerRule::velocity_step;
-    setup.controller.look_ahead_blocks = 200;
-    setup.controller.speed_step_s = 0.002;
-    setup.controller.centripetal_share = 0.866;
-    setup.controller.limit_jerk = limit_jerk;
+    setup.controller.corners.continuous = corner;
+    setup.controller.corners.exact_path = rrs::CornerRule::velocity_step;
+    setup.controller.blocks.look_ahead = 200;
+    setup.controller.corners.speed_step_s = 0.002;
+    setup.controller.ramps.centripetal_share = 0.866;
+    setup.controller.ramps.limit_jerk = limit_jerk;
     for (JointSetup& joint : setup.joints) joint.max_jerk = 10 * joint.max_acceleration;
     return setup;
 }

@@ -19,7 +19,7 @@ rrs::JointPos random_target(std::mt19937& random, int joints) {
 PlannerSetup look_ahead_setup() {
     PlannerSetup setup = three_slide_machine();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
-    setup.controller.corner = rrs::CornerRule::velocity_step;
+    setup.controller.corners.continuous = rrs::CornerRule::velocity_step;
     setup.queue_capacity = 400;
     return setup;
 }
@@ -181,7 +181,7 @@ TEST(Stop, KeepsLimitsWithFollowersAndJerks) {
     for (int round = 0; round < 120; ++round) {
         PlannerSetup setup = odd_setup(random);
         set_ramps(setup, random, round % 2 == 0);
-        setup.controller.independent_ramps = round % 4 < 3;
+        setup.controller.coordination.independent_ramps = round % 4 < 3;
         stop_and_go(random, setup, round % 3 == 0);
         if (testing::Test::HasFatalFailure()) FAIL() << "round " << round;
     }
@@ -222,7 +222,7 @@ TEST(Stop, ATurningJointBesideAnArc) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (int run = 0; run < 150; ++run) {
         PlannerSetup setup = gantry_setup();
-        setup.controller.independent_ramps = true;
+        setup.controller.coordination.independent_ramps = true;
         for (JointSetup& joint : setup.joints) {
             joint.min = -kUnlimited;
             joint.max = kUnlimited;

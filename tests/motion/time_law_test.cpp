@@ -72,22 +72,22 @@ TEST(TimeLaw, IsClampedToItsDurationAndEndsExactly) {
 
 TEST(TimeLaw, InTimeByHand) {
     // 300 mm in 4 s with ramps of 100 mm/s2 is the trapezoid above; with more time it only cruises slower.
-    EXPECT_DOUBLE_EQ(TimeLaw::in_time(300, 4, 100).peak_speed(), 100);
-    const TimeLaw slow = TimeLaw::in_time(300, 7, 100);
+    EXPECT_DOUBLE_EQ(TimeLaw::with_duration(300, 4, 100).peak_speed(), 100);
+    const TimeLaw slow = TimeLaw::with_duration(300, 7, 100);
     EXPECT_DOUBLE_EQ(slow.at(0.1).a, 100);
     EXPECT_DOUBLE_EQ(slow.peak_speed() * (7 - slow.peak_speed() / 100), 300);
-    EXPECT_DOUBLE_EQ(TimeLaw::in_time(300, 4, kInfinity).peak_speed(), 75);
+    EXPECT_DOUBLE_EQ(TimeLaw::with_duration(300, 4, kInfinity).peak_speed(), 75);
 }
 
 TEST(TimeLaw, InTimeTakesAShortfallWithinRoundingAsEqual) {
     const double min = TimeLaw::fastest_s(7, kInfinity, 3);
-    const TimeLaw law = TimeLaw::in_time(7, min * (1 - 1e-15), 3);
+    const TimeLaw law = TimeLaw::with_duration(7, min * (1 - 1e-15), 3);
     EXPECT_EQ(law.at(min).s, 7);
     EXPECT_LE(law.at(0).a, 3 * (1 + kRelative));
 }
 
 TEST(TimeLaw, StandingStillMayTakeTime) {
-    const TimeLaw law = TimeLaw::in_time(0, 5, 100);
+    const TimeLaw law = TimeLaw::with_duration(0, 5, 100);
     EXPECT_EQ(law.duration_s(), 5);
     EXPECT_EQ(law.at(3).s, 0);
     EXPECT_EQ(law.at(3).v, 0);
@@ -189,7 +189,7 @@ TEST(TimeLaw, RandomLawsKeepTheirLimitsAndTheirTime) {
         const TimeLaw fastest = TimeLaw::fastest(c.length, c.speed, c.acceleration);
         expect_law(fastest, c, TimeLaw::fastest_s(c.length, c.speed, c.acceleration));
         const double longer_s = fastest.duration_s() * c.section;
-        expect_law(TimeLaw::in_time(c.length, longer_s, c.acceleration, c.speed), c, longer_s);
+        expect_law(TimeLaw::with_duration(c.length, longer_s, c.acceleration, c.speed), c, longer_s);
         if (HasFatalFailure()) return;
     }
 }
@@ -198,7 +198,7 @@ TEST(TimeLaw, DistanceIsTheIntegralOfTheSpeed) {
     std::mt19937 random(22);
     for (int i = 0; i < 300; ++i) {
         const Case c = random_case(random);
-        const TimeLaw law = TimeLaw::in_time(
+        const TimeLaw law = TimeLaw::with_duration(
             c.length, c.section * trapezoid_s(c.length, c.speed, c.acceleration), c.acceleration);
         for (const double share : {0.2, 0.5, 0.9, 1.0}) {
             const double t = share * law.duration_s();

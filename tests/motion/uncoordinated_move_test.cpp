@@ -11,7 +11,7 @@ namespace {
 using rrs::Status;
 
 PlannerSetup apart(PlannerSetup setup) {
-    setup.controller.interpolated_rapids = false;
+    setup.controller.coordination.interpolated_rapids = false;
     setup.path.max_rapid_mm_s = kUnlimited;
     return setup;
 }
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, ApartServices, all_ways(), way_name);
 TEST_P(ApartServices, EachJointIsThereWhenItIsThere) {
     for (const bool interpolated : {true, false}) {
         PlannerSetup setup = apart_slides();
-        setup.controller.interpolated_rapids = interpolated;
+        setup.controller.coordination.interpolated_rapids = interpolated;
         ReadyShell ready(make(setup), joint_pos({0, 0, 0}));
         ready.planner.SelectMotionType(rrs::MotionType::linear);
         ready.planner.SetRapid(true);
@@ -160,7 +160,7 @@ TEST(ApartMove, OverridesOfRapidsSlowEachJoint) {
     setup.overrides = std::make_shared<const OverrideSchedule>(
         std::vector<OverrideChange>{{.at_s = 0, .to = {.rapid = 0.5}}});
     ReadyRapids at(setup, joint_pos({0, 0, 0}));
-    at.planner.set_obeyed_overrides({.rapid = true});
+    at.planner.set_enabled_overrides({.rapid = true});
     at.to(joint_pos({100, 40, 0}));
     EXPECT_NEAR(at.last().duration_s, trapezoid_s(100, 50, 1000), 1e-9);
     ASSERT_EQ(at.last().followers().size(), 1U);
@@ -171,7 +171,7 @@ TEST(ApartMove, OverridesOfRapidsSlowEachJoint) {
 /// Returns the min time of one joint alone.
 double own_time_s(const PlannerSetup& setup, int joint, double change) {
     const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
-    const double jerk = setup.controller.limit_jerk ? limits.max_jerk : kUnlimited;
+    const double jerk = setup.controller.ramps.limit_jerk ? limits.max_jerk : kUnlimited;
     return TimeLaw::between(std::abs(change), 0, 0,
                             {limits.max_speed, limits.max_acceleration, limits.deceleration(), jerk})
         .duration_s();

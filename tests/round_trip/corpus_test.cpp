@@ -123,11 +123,11 @@ TEST_F(Corpus, ComesBackAsItWas) {
             EXPECT_NE(outcome.extension, Ending::not_run) << write_mode.post << " " << name << "\n"
                                                           << outcome.message;
             if (outcome.extension == Ending::not_written)
-                going_on.add(name, write_mode.post, round->end(write_mode, {"--go-on"}));
+                going_on.add(name, write_mode.post, round->end(write_mode, {"--continue-on-unknown"}));
         }
     }
     if (const char* const table = std::getenv("GSIM_ROUND_TRIP_TABLE"); table != nullptr)
-        std::ofstream(table) << strict.text() << "\nwith --go-on\n" << going_on.text();
+        std::ofstream(table) << strict.text() << "\nwith --continue-on-unknown\n" << going_on.text();
 }
 
 }  // namespace

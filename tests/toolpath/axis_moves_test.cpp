@@ -131,7 +131,7 @@ TEST(AxisMoves, ATiltOverTheUprightIsNoted) {
     half.arc = CenterArc{{950, 800, 300}, {0, 0, 1}, 180};
     const Moved over({leaning({900, 800, 300}, 0.5, 0), half});
     EXPECT_TRUE(std::any_of(over.log.notes.begin(), over.log.notes.end(), [](const std::string& note) {
-        return note.find("stands upright between them") != std::string::npos;
+        return note.find("is vertical between them") != std::string::npos;
     }));
 
     std::vector<Target> targets{leaning({900, 800, 300}, 0.5, 0)};

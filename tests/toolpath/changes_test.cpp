@@ -168,7 +168,7 @@ TEST(PathChanges, WhatCannotBePlacedIsSaid) {
     EXPECT_THAT(error(framed), HasSubstr("several work frames"));
     Program bare = wheel();
     std::get<Point>(bare.paths[1].targets[0]).orientation = RotaryAxes{{'C', 0}};
-    EXPECT_THAT(error(bare), HasSubstr("rotary axes B stand"));
+    EXPECT_THAT(error(bare), HasSubstr("positions of the rotary axes B"));
 }
 
 // The tool of a machine without rotary axes keeps its direction.
@@ -178,7 +178,8 @@ TEST(PathChanges, WhatCannotLeanIsNotLeant) {
     Point point;
     point.position_mm = {10, 20, 30};
     Program program{"p", {{"p", {point}}}, 0};
-    EXPECT_THAT(place(program, motion_of(0, 0, 0, 0, 0.2), space).error().message, HasSubstr("would lean"));
+    EXPECT_THAT(place(program, motion_of(0, 0, 0, 0, 0.2), space).error().message,
+                HasSubstr("would be tilted"));
     ASSERT_TRUE(place(program, motion_of(0, 0, 0, 1.5), space));
     EXPECT_NEAR(std::get<Point>(program.paths[0].targets[0]).position_mm[2], 30, 1e-12);
 }
@@ -196,7 +197,7 @@ TEST(PathChanges, BehindAPointOfTheMachineEachAxisIsNamed) {
         return place(program, motion_of(0, 0, 0, 0.7), space);
     };
     EXPECT_TRUE(placed({full, part}));
-    EXPECT_THAT(placed({full, home, part}).error().message, HasSubstr("rotary axes C stand"));
+    EXPECT_THAT(placed({full, home, part}).error().message, HasSubstr("positions of the rotary axes C"));
     EXPECT_TRUE(placed({full, home, full}));
 }
 
@@ -208,7 +209,7 @@ Point point_at(double x_mm, std::optional<double> feed_mm_min, bool turned = tru
     return point;
 }
 
-tl::expected<void, Error> put_in_order(Program& program, const std::vector<std::size_t>& order) {
+tl::expected<void, TargetError> put_in_order(Program& program, const std::vector<std::size_t>& order) {
     static const machine::Machine gantry = read_sample("af5.toml");
     return reorder(program, order, MachineSpace::make(gantry).value());
 }
@@ -238,14 +239,16 @@ TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
         Program program = of_three(std::move(third));
         return put_in_order(program, order).error().message;
     };
-    EXPECT_THAT(error({"c", {point_at(3, std::nullopt)}}), HasSubstr("'c' should have a feed"));
-    EXPECT_THAT(error({"c", {point_at(3, 300, false)}}), HasSubstr("orientation of its own"));
+    EXPECT_THAT(error({"c", {point_at(3, std::nullopt)}}),
+                HasSubstr("'c' needs a separate feed before it cuts"));
+    EXPECT_THAT(error({"c", {point_at(3, 300, false)}}),
+                HasSubstr("the first point of the sub-path 'c' needs an orientation with all rotary axes"));
     Point arc = point_at(3, 300);
     arc.motion = MotionType::circular;
     EXPECT_THAT(error({"c", {arc}}), HasSubstr("straight motion"));
     Point on = point_at(3, 300);
     on.actions = {"waterjet_on"};
-    EXPECT_THAT(error({"c", {on}}), HasSubstr("something else running"));
+    EXPECT_THAT(error({"c", {on}}), HasSubstr("'a' would begin with a different active state"));
     Program program = of_three({"c", {point_at(3, 300)}});
     EXPECT_THAT(put_in_order(program, {0, 0, 1}).error().message, HasSubstr("each of 0 to 2 once"));
     // Half of an orientation is taken over, too; values that are not compared may continue.
@@ -255,11 +258,13 @@ TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
     for (const char* action : {"path_mode exact_path", "digital_output P3 on", "ramps linear"}) {
         Point mode = point_at(3, 300);
         mode.actions = {action};
-        EXPECT_THAT(error({"c", {mode}}), HasSubstr("may hold on")) << action;
+        EXPECT_THAT(error({"c", {mode}}),
+                    HasSubstr(std::string("'") + action + "' may remain active, so that the order matters"))
+            << action;
     }
     Point turning = point_at(3, 300);
     turning.feed_deg_min = 100;
-    EXPECT_THAT(error({"c", {turning}}), HasSubstr("rotary axes holds on"));
+    EXPECT_THAT(error({"c", {turning}}), HasSubstr("feed of rotary axes remains active"));
     Point reported = point_at(3, 300);
     reported.actions = {"message done", "waterjet_on", "waterjet_off"};
     Program fine = of_three({"c", {reported}});
@@ -288,24 +293,29 @@ TEST(PathChanges, FeedsAreSetOrMultiplied) {
     std::get<Point>(turned.paths[3].targets[0]).feed_mm_rev = 0.1;
     ASSERT_TRUE(change_feeds(turned, {.path = "c", .value = 3000, .is_factor = false}));
     EXPECT_NEAR(*std::get<Point>(turned.paths[3].targets[0]).feed_mm_rev, 1.0, 1e-12) << "at the same turns";
-    EXPECT_THAT(change_feeds(program, {.path = "bb", .value = 1}).error(), HasSubstr("did you mean 'b'?"));
-    EXPECT_THAT(change_feeds(program, {.path = "root", .value = 1}).error(), HasSubstr("no point of 'root'"));
+    EXPECT_THAT(change_feeds(program, {.path = "bb", .value = 1}).error().message,
+                HasSubstr("did you mean 'b'?"));
+    EXPECT_THAT(change_feeds(program, {.path = "root", .value = 1}).error().message,
+                HasSubstr("no point of 'root'"));
 }
 
 TEST(PathChanges, FeedsThatOthersTakeOverAreNotChangedAlone) {
     const FeedChange change{.path = "b", .value = 2};
     Program accepts = of_three({"c", {point_at(3, std::nullopt)}});
-    EXPECT_THAT(change_feeds(accepts, change).error(), HasSubstr("'c' takes one over"));
+    EXPECT_THAT(change_feeds(accepts, change).error().message,
+                HasSubstr("'c' inherits a feed and needs a separate one"));
     EXPECT_EQ(std::get<Point>(accepts.paths[2].targets[0]).feed_mm_min, 200) << "nothing is done by halves";
     ASSERT_TRUE(change_feeds(accepts, {.path = "a", .value = 2})) << "b has its own, and hands that over";
     // After a sub-path, in the path that uses it.
     Program behind = of_three({"c", {point_at(3, 300)}});
     behind.paths[0].targets = {SubPath{2}, point_at(9, std::nullopt)};
-    EXPECT_THAT(change_feeds(behind, change).error(), HasSubstr("'root' takes one over"));
+    EXPECT_THAT(change_feeds(behind, change).error().message,
+                HasSubstr("'root' inherits a feed and needs a separate one"));
     // The second time round.
     Program repeated = of_three({"c", {point_at(3, std::nullopt), SubPath{2}}});
     repeated.paths[0].targets = {SubPath{1}, SubPath{3, 2}};
-    EXPECT_THAT(change_feeds(repeated, change).error(), HasSubstr("'c' takes one over"));
+    EXPECT_THAT(change_feeds(repeated, change).error().message,
+                HasSubstr("'c' inherits a feed and needs a separate one"));
     repeated.paths[0].targets = {SubPath{1}, SubPath{3, 1}};
     EXPECT_TRUE(change_feeds(repeated, change));
 }

@@ -72,7 +72,7 @@ void expect_tip_on_path(const PathFile& file, const Coupled& setup) {
     options.tolerance_mm = kTolerance_mm;
     options.name = "part";
     const auto program = engine::PathProgram::plan(file, machine, post, options);
-    ASSERT_TRUE(program) << program.error();
+    ASSERT_TRUE(program) << program.error().message;
     EXPECT_FALSE(program->notes().empty()) << "pieces are told of";
     std::string text;
     program->write(

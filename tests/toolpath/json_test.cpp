@@ -17,7 +17,7 @@ using test::is_located;
 
 std::string error_of(const std::string& text) {
     const auto file = read_json(text, "f");
-    return file ? "no error" : file.error();
+    return file ? "no error" : file.error().message;
 }
 
 TEST(PathJson, RandomProgramsComeBackEqual) {
@@ -27,7 +27,7 @@ TEST(PathJson, RandomProgramsComeBackEqual) {
         options.machine_points = i % 2 == 0;
         const Program program = random_program(random, options);
         const auto read = read_json(to_json(program), "f");
-        ASSERT_TRUE(read) << read.error();
+        ASSERT_TRUE(read) << read.error().message;
         EXPECT_EQ(read->program, program);
     }
 }
@@ -50,7 +50,7 @@ TEST(PathJson, PlacesAreThoseOfTheTargets) {
         "  {\"path\": \"b\", \"repeats\": 2}]},\n {\"name\": \"b\", \"targets\": [{\"position_mm\": "
         "[4,5,6]}]}]}",
         "f");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     EXPECT_EQ(file->with_location({0, 1}, "x"), "f:4:3: x");
     EXPECT_EQ(file->with_location({1, 0}, "x"), "f:5:28: x");
     EXPECT_EQ(file->with_location({1, std::nullopt}, "x"), "f:5:2: x");
@@ -78,33 +78,33 @@ TEST(PathJson, ErrorsNamePlaceAndReason) {
     const std::vector<Wrong> cases = {
         {"", "f:1:1: syntax error while parsing value - unexpected end of input"},
         {"[]", "f:1:1: a path file must be an object {...}, not an array"},
-        {"{}", "f:1:1: a path file needs 'paths' with one path at least"},
+        {"{}", "f:1:1: a path file needs 'paths' with at least one path"},
         {"{\"pahts\": []}", "f:1:2: unknown key 'pahts' in the path file; did you mean 'paths'?"},
         {"{\"paths\": 3}", "f:1:11: 'paths' must be an array of paths, not a number"},
         {"{\"name\": \"a\", \"name\": \"b\"}", "f:1:15: 'name' is given twice"},
         {"{\"paths\": [{\"name\": \"a\"}]}", "f:1:12: a path lacks the key 'targets'"},
         {"{\"root\": \"b\", " + with_target("{\"position_mm\": [1, 2, 3]}").substr(1),
-         "f:1:10: there is no path of the name 'b'"},
+         "f:1:10: no path has the name 'b'"},
         {with_target("{\"position_mm\": [1, 2]}"),
-         "f:2:21: 'position_mm' must hold three numbers; it holds 2"},
+         "f:2:21: 'position_mm' must contain three numbers; it contains 2"},
         {with_target("{\"position_mm\": [1, 2, 3, 4]}"),
-         "f:2:27: 'position_mm' must hold three numbers, not more"},
+         "f:2:27: 'position_mm' must contain three numbers, not more"},
         {with_target("{\"position_mm\": [1, 2, true]}"),
-         "f:2:24: 'position_mm' must hold three numbers, not true or false"},
+         "f:2:24: 'position_mm' must contain three numbers, not true or false"},
         {with_target("{\"motion\": \"liner\", \"position_mm\": [1, 2, 3]}"),
          "f:2:12: 'motion' must be \"rapid\" or \"linear\" or \"circular\""},
         {with_target("{\"motion\": \"linear\"}"), "f:2:1: a point lacks the key 'position_mm'"},
-        {with_target("{\"path\": \"b\"}"), "f:2:1: there is no path of the name 'b'"},
+        {with_target("{\"path\": \"b\"}"), "f:2:1: no path has the name 'b'"},
         {with_target("{\"path\": \"a\", \"dwell_s\": 1}"),
          "f:2:1: a target with the key 'path' is a sub-path and cannot have 'dwell_s'"},
         {with_target("{\"path\": \"a\", \"repeats\": 1.5}"),
-         "f:2:26: 'repeats' must be a whole number from 1 to 1000000000; it is 1.5"},
+         "f:2:26: 'repeats' must be an integer from 1 to 1000000000; it is 1.5"},
         {with_target("{\"position_mm\": [1, 2, 3], \"via_mm\": [1, 2, 3]}"),
-         "f:2:1: 'via_mm' is of circular motions only"},
+         "f:2:1: 'via_mm' is only for circular motions"},
         {with_target("{\"position_mm\": [1, 2, 3], \"tool_axis\": [0, 0, 1], \"rpy_deg\": [0, 0, 0]}"),
-         "f:2:1: a point has one of 'tool_axis', 'rpy_deg' and 'rotary_deg', not several"},
+         "f:2:1: a point may have only one of 'tool_axis', 'rpy_deg' and 'rotary_deg'"},
         {with_target("{\"position_mm\": [1, 2, 3], \"rotary_deg\": {\"BC\": 1}}"),
-         "f:2:49: 'rotary_deg' names axes by one capital letter each, such as B, not 'BC'"},
+         "f:2:49: 'rotary_deg' must contain axes by one capital letter each, such as B, not 'BC'"},
         {with_target("{\"position_mm\": [1, 2, 3], \"feed_mm_min\": -1}"),
          "f:2:1: 'feed_mm_min' must be greater than 0 and at most 1e9; it is -1"},
         {with_target("{\"position_mm\": [1, 2, 3], \"feed_mm_min\": \"fast\"}"),
@@ -121,7 +121,7 @@ TEST(PathJson, MangledFilesEndWithAValueOrALocatedSentence) {
     for (int i = 0; i < 3000; ++i) {
         const std::string text = test::mangled(random, full);
         const auto file = read_json(text, "f");
-        EXPECT_TRUE(file || is_located(file.error())) << error_of(text);
+        EXPECT_TRUE(file || is_located(file.error().message)) << error_of(text);
     }
 }
 

@@ -20,7 +20,7 @@ std::string path_of(const std::string& targets) {
 
 std::string error_of(const std::string& targets) {
     const auto file = read_json(path_of(targets), "f");
-    return file ? "no error" : file.error();
+    return file ? "no error" : file.error().message;
 }
 
 MachinePoint fixed(std::map<char, double> axes) {
@@ -43,7 +43,7 @@ TEST(MachinePoints, WhatIsReadIsWritten) {
         read_json(path_of(R"({"fixed": "CLAMP1", "name": "left", "dwell_s": 1.5, "actions": ["a", "b"]},
                    {"fixed": 12}, {"reference": 4}, {"reference": "DOCK"})"),
                   "f");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const std::vector<Target>& targets = file->program.paths[0].targets;
     MachinePoint left;
     left.name = "left";
@@ -59,26 +59,23 @@ TEST(MachinePoints, WhatIsReadIsWritten) {
 
 TEST(MachinePoints, WhatIsIllFormedIsTold) {
     EXPECT_EQ(error_of(R"({"fixed": 1, "reference": 1})"),
-              "f:1:38: 'fixed' and 'reference' are two points; a target is one of them");
+              "f:1:38: 'fixed' and 'reference' are two points; a target may have only one of them");
     EXPECT_EQ(error_of(R"({"reference": 1, "feed_mm_min": 1})"),
-              "f:1:38: a target with the key 'reference' is a point of the machine, which it goes to by a "
-              "rapid; it "
-              "cannot have 'feed_mm_min'");
+              "f:1:38: a target with the key 'reference' is a point of the machine, which is reached by a "
+              "rapid; it cannot have 'feed_mm_min'");
     EXPECT_EQ(error_of(R"({"path": "p", "fixed": 1})"),
               "f:1:38: a target with the key 'path' is a sub-path and cannot have 'fixed'");
     EXPECT_EQ(error_of(R"({"fixed": true})"),
               "f:1:48: 'fixed' must be a name or a number, not true or false");
     EXPECT_EQ(error_of(R"({"reference": ""})"),
-              "f:1:38: 'reference' takes the number of a reference point, or its name: a letter first, then "
-              "letters, "
-              "digits and _");
+              "f:1:38: 'reference' must be the number of a reference point, or its name: a letter first, "
+              "then letters, digits and _");
     EXPECT_EQ(error_of(R"({"reference": 1.5})"),
-              "f:1:52: 'reference' must be a whole number from 1 to 4; it is 1.5");
-    EXPECT_EQ(error_of(R"({"fixed": 0})"), "f:1:48: 'fixed' must be a whole number from 1 to 99999; it is 0");
+              "f:1:52: 'reference' must be an integer from 1 to 4; it is 1.5");
+    EXPECT_EQ(error_of(R"({"fixed": 0})"), "f:1:48: 'fixed' must be an integer from 1 to 99999; it is 0");
     EXPECT_EQ(error_of(R"({"fixed": "a-b"})"),
-              "f:1:38: 'fixed' takes the number of a fixed point, or its name: a letter first, then letters, "
-              "digits "
-              "and _");
+              "f:1:38: 'fixed' must be the number of a fixed point, or its name: a letter first, then "
+              "letters, digits and _");
     EXPECT_EQ(error_of(R"({"fixed": 1, "dwell_s": -1})"),
               "f:1:38: 'dwell_s' must be 0 or greater and at most 1e6; it is -1");
 }
@@ -87,9 +84,8 @@ TEST(MachinePoints, WhatIsIllFormedIsTold) {
 // repeated sub-path.
 TEST(MachinePoints, WhatFollowsIsARapid) {
     const std::string message =
-        "the first motion behind a fixed or reference point must be a rapid: where that point is in the work "
-        "nobody "
-        "knows";
+        "the first motion after a fixed or reference point must be a rapid, because the position of that "
+        "point in the work is unknown";
     const std::string line = R"({"position_mm": [1, 2, 3], "feed_mm_min": 1})";
     const std::string arc = R"({"motion": "circular", "position_mm": [1, 2, 3], "via_mm": [4, 5, 6]})";
     const std::string none = R"({"motion": "none", "position_mm": [1, 2, 3]})";
@@ -99,7 +95,7 @@ TEST(MachinePoints, WhatFollowsIsARapid) {
         const auto file = read_json(R"({"root": "p", "paths": [{"name": "q", "targets": [)" + park +
                                         "]},\n{\"name\": \"p\", \"targets\": [" + targets + "]}]}",
                                     "f");
-        return file ? "no error" : file.error();
+        return file ? "no error" : file.error().message;
     };
     EXPECT_EQ(with_park(R"({"path": "q"},)" + line, R"({"fixed": 1})"), "f:2:41: " + message);
     EXPECT_EQ(with_park(R"({"path": "q", "repeats": 2})", line + R"(,{"fixed": 1})"), "f:1:51: " + message);
@@ -110,7 +106,8 @@ TEST(MachinePoints, ARecordedPathHasNone) {
     const auto file = read_json(
         R"({"work_offsets": {"54": {}}, "paths": [{"name": "p", "targets": [{"fixed": 1}]}]})", "f");
     ASSERT_FALSE(file);
-    EXPECT_EQ(file.error(), "f:1:66: a path that was recorded from a run has no fixed or reference points");
+    EXPECT_EQ(file.error().message,
+              "f:1:66: a path that was recorded from a run has no fixed or reference points");
 }
 
 TEST(MachinePoints, ZGoesFirstWhereThatLeadsUp) {
@@ -148,7 +145,7 @@ class Plan : public testing::Test {
 
     machine::Machine machine_ = machine::read_machine(machine::built_in_machine_toml(), "m").value();
     Program program_;
-    tl::expected<std::vector<RotarySchedule>, Error> turns_ = tl::unexpected(Error{});
+    tl::expected<std::vector<RotarySchedule>, TargetError> turns_ = tl::unexpected(TargetError{});
     std::vector<std::optional<AxisValues>> entries_;
 };
 
@@ -218,7 +215,7 @@ struct Driven : MoveSink {
     }
     void note(const TargetId&, std::string_view) override {}
 
-    void take(const tl::expected<void, Error>& done) {
+    void take(const tl::expected<void, TargetError>& done) {
         if (!done && error.empty()) error = done.error().message;
     }
 

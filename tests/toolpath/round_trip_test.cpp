@@ -40,7 +40,7 @@ machine::Machine without_rotary_axes() {
 std::string written(const PathFile& file, const machine::Machine& machine, const codegen::Post& post,
                     const engine::PathProgramOptions& options) {
     const auto program = engine::PathProgram::plan(file, machine, post, options);
-    EXPECT_TRUE(program) << program.error();
+    EXPECT_TRUE(program) << program.error().message;
     std::string text;
     if (program) {
         program->write(

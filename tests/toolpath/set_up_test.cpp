@@ -29,7 +29,7 @@ const char* const kLine = R"({"position_mm": [10, 20, -9], "feed_mm_min": 100})"
 
 Program program_of(const std::string& paths) {
     const auto file = read_json(R"({"paths": [)" + paths + "]}", "f");
-    EXPECT_TRUE(file) << file.error() << paths;
+    EXPECT_TRUE(file) << file.error().message << paths;
     return file ? file->program : Program{};
 }
 
@@ -110,7 +110,7 @@ TEST(SetUp, ASubPathGoesBackToItsOwnFrame) {
         path(R"("job", "work_offset": "G54")",
              R"({"path": "outer"}, {"path": "outer", "work_offset": "G57"})") +
         "," + path(R"("outer")", std::string(kRapid) + R"(, {"path": "inner"}, )" + kRapid) + "," + inner);
-    EXPECT_NE(reported(differs, 1).find("the path needs its own 'work_offset'"), std::string::npos);
+    EXPECT_NE(reported(differs, 1).find("the path needs a separate 'work_offset'"), std::string::npos);
 }
 
 TEST(SetUp, AJetIsOffMeanwhile) {
@@ -120,7 +120,7 @@ TEST(SetUp, AJetIsOffMeanwhile) {
                 {"path": "part", "work_offset": "G55"})") +
                    "," + path(R"("part")", kRapid));
     EXPECT_EQ(reported(program, 0),
-              "the jet may be on where the tool or the work offset changes; turn it off before");
+              "the jet may be on at a change of the tool or the work offset; turn it off before");
 }
 
 // 10 + 595 is beyond X 600; if the position of the frame is unknown, no error is reported.
@@ -158,38 +158,39 @@ TEST(SetUp, WhatIsNoneIsTold) {
         const std::string offsets = recorded ? R"("work_offsets": {"54": {"X": 1}}, )" : "";
         const auto file =
             read_json("{" + offsets + R"("paths": [)" + path(name_and_keys, targets) + "]}", "f");
-        return file ? std::string() : file.error();
+        return file ? std::string() : file.error().message;
     };
     EXPECT_EQ(error(R"("a", "work_offset": 55)", kRapid),
               "f:1:41: 'work_offset' must be a string, not a number");
     EXPECT_EQ(error(R"("a", "work_offset": "")", kRapid), "f:1:41: 'work_offset' must not be empty");
     EXPECT_EQ(error(R"("a", "tool": 1.5)", kRapid),
-              "f:1:34: 'tool' must be a whole number from 0 to 99999999; it is 1.5");
+              "f:1:34: 'tool' must be an integer from 0 to 99999999; it is 1.5");
     EXPECT_EQ(error(R"("a", "tool": "T1")", kRapid), "f:1:34: 'tool' must be a number, not a string");
-    EXPECT_EQ(error(R"("a", "length_offset": 1)", kRapid), "f:1:12: 'length_offset' goes with 'tool'");
+    EXPECT_EQ(error(R"("a", "length_offset": 1)", kRapid), "f:1:12: 'length_offset' requires 'tool'");
     EXPECT_EQ(error(R"("a", "work_offset": "G55", "set_offset_mm": [1, 2])", kRapid),
-              "f:1:69: 'set_offset_mm' must hold three numbers; it holds 2");
+              "f:1:69: 'set_offset_mm' must contain three numbers; it contains 2");
     EXPECT_EQ(error(R"("a", "work_offset": "G55", "set_offset_mm": 3)", kRapid),
               "f:1:65: 'set_offset_mm' must be an array of three numbers, not a number");
     EXPECT_EQ(error(R"("a", "set_offset_mm": [1, 2, 3])", kRapid),
-              "f:1:12: 'set_offset_mm' goes with 'work_offset', which says what is set");
+              "f:1:12: 'set_offset_mm' requires 'work_offset', which names the offset to set");
     EXPECT_NE(error(R"("a")", R"({"position_mm": [1, 2, 3], "work_offset": "G55"})")
-                  .find("'work_offset' of a point is for paths that were recorded"),
+                  .find("'work_offset' of a point is only for paths that were recorded"),
               std::string::npos);
     EXPECT_NE(error(R"("a", "tool": 3)", R"({"position_mm": [1, 2, 3], "actions": ["tool_change T4"]})")
-                  .find("the action 'tool_change T4' stands beside paths that name their 'tool'"),
+                  .find("the action 'tool_change T4' cannot be combined with paths that have a 'tool'"),
               std::string::npos);
-    EXPECT_NE(error(R"("a", "tool": 3)", kRapid, true).find("has its tools in the actions"),
+    EXPECT_NE(error(R"("a", "tool": 3)", kRapid, true).find("must have its tools in the actions"),
               std::string::npos);
-    EXPECT_NE(error(R"("a", "work_offset": "55")", kRapid, true).find("has its work offsets at its points"),
-              std::string::npos);
+    EXPECT_NE(
+        error(R"("a", "work_offset": "55")", kRapid, true).find("must have its work offsets at its points"),
+        std::string::npos);
     const auto file =
         read_json(R"({"paths": [)" +
                       path(R"("a", "work_offset": "G55", "set_offset_mm": [1, 2, 3])",
                            R"({"path": "b", "work_offset": "G55", "set_offset_mm": [1, 2, 4]})") +
                       "," + path(R"("b")", kRapid) + "]}",
                   "f");
-    EXPECT_NE(file.error().find("the work offset '55' is set to two places"), std::string::npos);
+    EXPECT_NE(file.error().message.find("the work offset '55' is set to two positions"), std::string::npos);
 }
 
 }  // namespace

@@ -12,12 +12,12 @@ namespace {
 const std::string kWay = R"("from_mm": [1, 2, 30], "to_mm": -4, "surface_mm": 0, "feed_mm_min": 60)";
 const std::string kRapid = R"({"motion": "rapid", "position_mm": [1, 2, 3]})";
 
-tl::expected<PathFile, std::string> read(const std::string& keys, const std::string& targets = kRapid) {
+Result<PathFile> read(const std::string& keys, const std::string& targets = kRapid) {
     return read_json(R"({"paths": [{"name": "p", )" + keys + R"(, "targets": [)" + targets + "]}]}", "f");
 }
 std::string error_of(const std::string& keys, const std::string& targets = kRapid) {
     const auto file = read(keys, targets);
-    return file ? "no error" : file.error();
+    return file ? "no error" : file.error().message;
 }
 std::string error_of_touch(const std::string& touch) {
     return error_of(R"("work_offset": "G55", "probe_offset": [{)" + touch + "}]");
@@ -31,7 +31,7 @@ TEST(Touches, WhatIsReadIsWritten) {
                 "probe_radius_mm": 2.5}])",
         R"({"path": "q", "work_offset": "56", "probe_offset": [{"axis": "Z", )" + kWay +
             R"(}]}]}, {"name": "q", "targets": [)" + kRapid);
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const WorkFrame& frame = file->program.paths[0].frame;
     ASSERT_EQ(frame.touches.size(), 2U);
     EXPECT_EQ(frame.touches[0], (Touch{'Z', {1, 2, 30}, -4, 0, 60, 0, 9}));
@@ -55,38 +55,41 @@ TEST(Touches, WhatIsIllFormedIsTold) {
               std::string::npos);
     EXPECT_NE(error_of_touch(R"("axis": 1)").find("'axis' must be a string, not a number"),
               std::string::npos);
-    EXPECT_NE(error_of_touch(R"("from_mm": [1, 2])").find("'from_mm' must hold three numbers; it holds 2"),
-              std::string::npos);
+    EXPECT_NE(
+        error_of_touch(R"("from_mm": [1, 2])").find("'from_mm' must contain three numbers; it contains 2"),
+        std::string::npos);
     EXPECT_NE(
         error_of_touch(R"("from_mm": 1)").find("'from_mm' must be an array of three numbers, not a number"),
         std::string::npos);
     EXPECT_NE(error_of_touch(R"("to_mm": 1, "to_mm": 1)").find("'to_mm' is given twice"), std::string::npos);
-    EXPECT_EQ(error_of_touch(
-                  R"("axis": "Z", "from_mm": [0, 0, 9], "to_mm": 1, "surface_mm": 0, "feed_mm_min": 60)"),
-              "f:1:12: along Z the touch goes from 9 to 1, and would meet the surface at 0, which must lie "
-              "between");
+    EXPECT_EQ(
+        error_of_touch(
+            R"("axis": "Z", "from_mm": [0, 0, 9], "to_mm": 1, "surface_mm": 0, "feed_mm_min": 60)"),
+        "f:1:12: along Z the touch moves from 9 to 1 and expects the surface at 0, which must be in between");
     EXPECT_NE(error_of_touch(R"("axis": "Z", "probe_radius_mm": 1, )" + kWay)
-                  .find("'probe_radius_mm' is of touches"),
+                  .find("'probe_radius_mm' is only for touches along X and Y"),
               std::string::npos);
-    EXPECT_NE(error_of(R"("work_offset": "G55", "probe_offset": [])").find("must hold one touch at least"),
+    EXPECT_NE(error_of(R"("work_offset": "G55", "probe_offset": [])")
+                  .find("'probe_offset' must contain at least one touch"),
               std::string::npos);
-    EXPECT_NE(error_of(R"("probe_offset": [{"axis": "Z", )" + kWay + "}]").find("goes with 'work_offset'"),
+    EXPECT_NE(error_of(R"("probe_offset": [{"axis": "Z", )" + kWay + "}]")
+                  .find("'probe_offset' requires 'work_offset'"),
               std::string::npos);
     EXPECT_NE(error_of(R"("work_offset": "G55", "probe_offset": 1)")
                   .find("must be an array of touches, not a number"),
               std::string::npos);
-    EXPECT_NE(
-        error_of(R"("work_offset": "G55", "probe_offset": [1])").find("must hold objects, each a touch"),
-        std::string::npos);
+    EXPECT_NE(error_of(R"("work_offset": "G55", "probe_offset": [1])")
+                  .find("'probe_offset' must contain objects, each a touch"),
+              std::string::npos);
     EXPECT_EQ(error_of(R"("work_offset": "G55", "probe_offset": [{"axis": "Z", )" + kWay + "}]",
                        R"({"position_mm": [1, 2, 3], "feed_mm_min": 1})")
                   .substr(9),
-              "the first motion behind the touches of 'probe_offset' must be a rapid");
+              "the first motion after the touches of 'probe_offset' must be a rapid");
     const std::string otherwise =
         error_of(R"("work_offset": "G55", "tool": 3, "probe_offset": [{"axis": "Z", )" + kWay + "}]",
                  R"({"path": "q", "work_offset": "55", "probe_offset": [{"axis": "Z", "tool": 1, )" + kWay +
                      R"(}]}]}, {"name": "q", "targets": [)" + kRapid);
-    EXPECT_NE(otherwise.find("the work offset '55' is found in two ways"), std::string::npos) << otherwise;
+    EXPECT_NE(otherwise.find("the work offset '55' is measured in two ways"), std::string::npos) << otherwise;
 }
 
 }  // namespace

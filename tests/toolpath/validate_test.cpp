@@ -62,9 +62,9 @@ TEST(ValidatePath, EightLevelsBelowTheRootAndNoMore) {
 TEST(ValidatePath, ACycleIsFoundWhereItCloses) {
     Program program = chain(3);
     program.paths[2].targets.emplace_back(SubPath{1, 1});
-    expect_fault(program, {2, 1}, "'p1' leads back to itself");
+    expect_fault(program, {2, 1}, "'p1' contains itself");
     program.paths[2].targets.back() = SubPath{2, 1};
-    expect_fault(program, {2, 1}, "'p2' leads back to itself");
+    expect_fault(program, {2, 1}, "'p2' contains itself");
 }
 
 TEST(ValidatePath, ASubPathUsedManyTimesIsLookedAtOnce) {
@@ -78,10 +78,10 @@ TEST(ValidatePath, ASubPathUsedManyTimesIsLookedAtOnce) {
 
 TEST(ValidatePath, Arcs) {
     EXPECT_FALSE(validate(of({at(0, 0, 0), arc_to({10, 0, 0}, {5, 5, 0})})));
-    expect_fault(of({at(0, 0, 0), arc_to({10, 0, 0}, {5, 0, 0})}), {0, 1}, "via point lies on the line");
-    expect_fault(of({at(0, 0, 0), arc_to({10, 0, 0}, {10, 0, 0})}), {0, 1}, "via point lies on the line");
-    expect_fault(of({at(0, 0, 0), arc_to({0, 0, 0}, {5, 5, 0})}), {0, 1}, "must end elsewhere");
-    expect_fault(of({arc_to({10, 0, 0}, {5, 5, 0})}), {0, 0}, "nothing says where it starts");
+    expect_fault(of({at(0, 0, 0), arc_to({10, 0, 0}, {5, 0, 0})}), {0, 1}, "via point is on the line");
+    expect_fault(of({at(0, 0, 0), arc_to({10, 0, 0}, {10, 0, 0})}), {0, 1}, "via point is on the line");
+    expect_fault(of({at(0, 0, 0), arc_to({0, 0, 0}, {5, 5, 0})}), {0, 1}, "must not end at its start");
+    expect_fault(of({arc_to({10, 0, 0}, {5, 5, 0})}), {0, 0}, "its start is unknown");
     EXPECT_FALSE(validate(of({at(10, 0, 0), turn_to({0, 10, 5}, {0, 0, 0}, 90)})));
     EXPECT_FALSE(validate(of({at(10, 0, 0), turn_to({0, 10, 5}, {0, 0, 0}, 450)})));
     EXPECT_FALSE(validate(of({at(10, 0, 0), turn_to({10, 0, 0}, {0, 0, 0}, 360)})));
@@ -96,9 +96,9 @@ TEST(ValidatePath, AnArcAtTheStartOfASubPathFitsEachOfItsUsers) {
     program.paths.push_back({"sub", {arc_to({10, 10, 0}, {5, 8, 0})}});
     EXPECT_FALSE(validate(program));
     program.paths[0].targets[2] = at(0, 6, 0);  // the second time start, via and end are in line
-    expect_fault(program, {1, 0}, "via point lies on the line");
+    expect_fault(program, {1, 0}, "via point is on the line");
     program.paths[0].targets = {at(0, 0, 0), SubPath{1, 2}};  // the second time its start is its end
-    expect_fault(program, {1, 0}, "must end elsewhere");
+    expect_fault(program, {1, 0}, "must not end at its start");
 }
 
 TEST(ValidatePath, Values) {
@@ -122,11 +122,11 @@ TEST(ValidatePath, Values) {
                          "e"};
                  }),
                  {0, 0}, "is not in UTF-8");
-    expect_fault(of({SubPath{7, 1}}), {0, 0}, "no such sub-path");
+    expect_fault(of({SubPath{7, 1}}), {0, 0}, "sub-path does not exist");
     expect_fault(of({}), {0, std::nullopt}, "has no targets");
     Program program = of({at(1, 2, 3)});
     program.paths.push_back(program.paths[0]);
-    expect_fault(program, {1, std::nullopt}, "two paths of the name");
+    expect_fault(program, {1, std::nullopt}, "two paths have the name 'root'");
 }
 
 }  // namespace

@@ -61,12 +61,12 @@ class JsonBytes {
         end_ = read_(buffer_.data(), buffer_.size());
     }
     void note(char c);
-    void note_outside(char c);
+    void note_outside_string(char c);
 
-    static constexpr std::size_t kBuffer = std::size_t{1} << 16;
+    static constexpr std::size_t kBufferSize = std::size_t{1} << 16;
 
     ReadFunction read_;
-    std::array<char, kBuffer> buffer_;
+    std::array<char, kBufferSize> buffer_;
     std::size_t next_ = 0, end_ = 0;
     SourceLocation location_{1, 1}, token_{1, 1};
     bool in_string_ = false, escaped_ = false, in_word_ = false;
@@ -74,7 +74,7 @@ class JsonBytes {
 
 inline void JsonBytes::note(char c) {
     if (!in_string_) {
-        note_outside(c);
+        note_outside_string(c);
     } else if (escaped_) {
         escaped_ = false;
     } else if (c == '\\') {
@@ -88,7 +88,7 @@ inline void JsonBytes::note(char c) {
 
 // Handles the one byte that a parser reads beyond a number to detect its end: such a byte is no token of its
 // own.
-inline void JsonBytes::note_outside(char c) {
+inline void JsonBytes::note_outside_string(char c) {
     switch (c) {
         case '"':
         case '{':

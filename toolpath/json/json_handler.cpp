@@ -1,11 +1,9 @@
 #include "toolpath/json/json_handler.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
-
-#include "base/text/file_format.h"
 
 namespace gsim::path {
 
@@ -20,16 +18,6 @@ std::string_view plain_message(std::string_view what) {
     return colon == std::string_view::npos ? what : what.substr(colon + 2);
 }
 
-bool add_key(std::vector<std::string>& seen, const std::string& key) {
-    if (std::find(seen.begin(), seen.end(), key) != seen.end()) return false;
-    seen.push_back(key);
-    return true;
-}
-
-bool is_known(const std::string& key, std::span<const std::string_view> known) {
-    return std::find(known.begin(), known.end(), key) != known.end();
-}
-
 }  // namespace
 
 bool JsonHandler::fail(const SourceLocation& source_location, std::string_view message) {
@@ -40,213 +28,99 @@ bool JsonHandler::fail(const SourceLocation& source_location, std::string_view m
     return false;
 }
 
-bool JsonHandler::check(tl::expected<void, std::string> done) {
-    return done ? true : fail(done.error());
+std::string JsonHandler::expected_type() const {
+    switch (level()) {
+        case Level::outside: return "a path file must be an object {...}";
+        case Level::program: return program_.expected_type();
+        case Level::paths: return "'paths' must contain objects, each a path with 'name' and 'targets'";
+        case Level::path: return path_.expected_type();
+        case Level::targets: return "'targets' must contain objects, each a point or a sub-path";
+        case Level::vector: return fmt::format("'{}' must contain three numbers", vector_key());
+        case Level::touches: return "'probe_offset' must contain objects, each a touch";
+        case Level::touch: return touch_.expected_type();
+        case Level::offsets: return offset_.expected_offset();
+        case Level::offset: return offset_.expected_type();
+        case Level::rotary: return target_.expected_rotary();
+        case Level::actions: return "'actions' must contain strings";
+        case Level::target: return target_.expected_type();
+    }
+    return {};
 }
 
-bool JsonHandler::type_error(std::string_view found) {
-    return fail(fmt::format("{}, not {}", expected_type(), found));
-}
+// --- Values ---
 
 bool JsonHandler::number(double value) {
-    if (level() == Level::vector) {
-        if (values_.size() == 3) return fail(fmt::format("{}, not more", expected_type()));
-        values_.push_back(value);
-        return true;
+    switch (level()) {
+        case Level::vector: return vector_number(value);
+        case Level::offset: offset_.number(value); return true;
+        case Level::touch: return check(touch_.number(value));
+        case Level::path: return check(path_.number(value));
+        case Level::program: return check(program_.number(value));
+        case Level::rotary: return check(target_.rotary_number(value));
+        case Level::target: return check(target_.number(value));
+        default: return fail_type("a number");
     }
-    if (level() == Level::offset) return offset_value(value);
-    if (level() == Level::touch) return touch_value(value);
-    if (level() == Level::path) return path_number(value);
-    if (level() == Level::program && key_ == "format") {
-        const auto error = text::format_error(value);
-        return error ? fail(*error) : true;
-    }
-    if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
-    const bool expects_number =
-        level() == Level::target && (target_expects(TargetDraft::ValueKind::number) ||
-                                     target_expects(TargetDraft::ValueKind::text_or_number));
-    return expects_number ? check(draft_.set_number(target_key_, value)) : type_error("a number");
+}
+
+bool JsonHandler::vector_number(double value) {
+    if (values_.size() == 3) return fail_type("more");
+    values_.push_back(value);
+    return true;
 }
 
 bool JsonHandler::string(std::string& value) {
     switch (level()) {
-        case Level::program:
-            if (key_ == "paths" || key_ == "work_offsets" || key_ == "format") return type_error("a string");
-            if (key_ == "name") file_.program.name = value;
-            if (key_ == "root") {
-                root_ = value;
-                root_location_ = bytes_.token();
-            }
-            return true;
-        case Level::path: return path_string(value);
-        case Level::actions: draft_.add_action(std::move(value)); return true;
-        case Level::touch: return touch_value(std::string_view(value));
-        case Level::target:
-            if (target_expects(TargetDraft::ValueKind::text) ||
-                target_expects(TargetDraft::ValueKind::text_or_number)) {
-                return check(draft_.set_text(target_key_, value));
-            }
-            [[fallthrough]];
-        default: return type_error("a string");
-    }
-}
-
-bool JsonHandler::start_object(std::size_t) {
-    switch (level()) {
-        case Level::outside: levels_.push_back(Level::program); return true;
-        case Level::program:
-            if (key_ != "work_offsets") return type_error("an object");
-            levels_.push_back(Level::offsets);
-            return true;
-        case Level::offsets: return start_offset();
-        case Level::paths:
-            levels_.push_back(Level::path);
-            path_keys_.clear();
-            path_draft_ = {};
-            file_.program.paths.emplace_back();
-            file_.paths.push_back(bytes_.token());
-            file_.targets.emplace_back();
-            return true;
-        case Level::targets:
-            levels_.push_back(Level::target);
-            draft_ = {};
-            draft_location_ = bytes_.token();
-            return true;
-        case Level::touches:
-            levels_.push_back(Level::touch);
-            touch_draft_ = {};
-            touch_location_ = bytes_.token();
-            return true;
-        case Level::target:
-            if (TargetDraft::value_kind(target_key_) == TargetDraft::ValueKind::letters) {
-                levels_.push_back(Level::rotary);
-                draft_.begin_rotary();
-                return true;
-            }
-            [[fallthrough]];
-        default: return type_error("an object");
+        case Level::program: return check(program_.string(value, bytes_.token(), file_.program, names_));
+        case Level::path: return check(path_.string(value));
+        case Level::actions: target_.draft().add_action(std::move(value)); return true;
+        case Level::touch: return check(touch_.string(value));
+        case Level::target: return check(target_.string(value));
+        default: return fail_type("a string");
     }
 }
 
 bool JsonHandler::key(std::string& name) {
     switch (level()) {
-        case Level::program: return program_key(name);
-        case Level::path: return path_key(name);
-        case Level::target: return target_key(name);
-        case Level::offsets: offset_name_ = frame_name(name); return true;
-        case Level::offset: return offset_key(name);
-        case Level::touch: return touch_key(name);
-        default: key_ = std::move(name); return true;
+        case Level::program: return check(program_.key(name));
+        case Level::path: return check(path_.key(name));
+        case Level::target: return check(target_.key(name));
+        case Level::offsets: offset_.set_name(name); return true;
+        case Level::offset: return check(offset_.key(name));
+        case Level::touch: return check(touch_.key(name));
+        default: target_.rotary_key(name); return true;
     }
 }
 
-bool JsonHandler::program_key(const std::string& name) {
-    if (!is_known(name, kProgramKeys)) return fail(unknown_key(name, "the path file", kProgramKeys));
-    if (!add_key(program_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
-    key_ = name;
+// --- Objects ---
+
+bool JsonHandler::open(Level level) {
+    levels_.push_back(level);
     return true;
 }
 
-bool JsonHandler::path_key(const std::string& name) {
-    if (!is_known(name, kPathKeys)) return fail(unknown_key(name, "a path", kPathKeys));
-    if (!add_key(path_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
-    key_ = name;
-    const auto* const found = std::find(kPathKeys.begin(), kPathKeys.end(), name);
-    path_key_ = static_cast<PathKey>(found - kPathKeys.begin());
-    return true;
-}
-
-bool JsonHandler::expects(PathDraft::ValueKind kind) const {
-    return PathDraft::value_kind(path_key_) == kind;
-}
-
-bool JsonHandler::target_expects(TargetDraft::ValueKind kind) const {
-    return TargetDraft::value_kind(target_key_) == kind;
-}
-
-bool JsonHandler::path_string(std::string& value) {
-    if (expects(PathDraft::ValueKind::text)) return check(path_draft_.set_text(path_key_, value));
-    if (path_key_ != PathKey::name) return type_error("a string");
-    file_.program.paths.back().name = value;
-    return true;
-}
-
-bool JsonHandler::path_number(double value) {
-    if (expects(PathDraft::ValueKind::number)) return check(path_draft_.set_number(path_key_, value));
-    return type_error("a number");
-}
-
-// Returns the key of the open vector.
-std::string_view JsonHandler::vector_key() const {
-    const Level of = levels_[levels_.size() - 2];
-    if (of == Level::touch) return key_name(touch_key_);
-    return of == Level::path ? key_name(path_key_) : key_name(target_key_);
-}
-
-bool JsonHandler::start_offset() {
-    levels_.push_back(Level::offset);
-    offset_keys_.clear();
-    if (file_.program.work_offsets.try_emplace(offset_name_).second) return true;
-    return fail(fmt::format("there are two work offsets of the name '{}'", offset_name_));
-}
-
-bool JsonHandler::offset_key(std::string& name) {
-    const bool letter = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z';
-    if (!letter && name != kRotationKey) {
-        return fail(fmt::format("a work offset names axes by one capital letter each, or has '{}'; not '{}'",
-                                kRotationKey, name));
+bool JsonHandler::start_object(std::size_t) {
+    switch (level()) {
+        case Level::outside: return open(Level::program);
+        case Level::program:
+            return program_.is_at("work_offsets") ? open(Level::offsets) : fail_type("an object");
+        case Level::offsets: open(Level::offset); return check(offset_.start(file_.program));
+        case Level::paths: return start_path();
+        case Level::targets: target_.start(bytes_.token()); return open(Level::target);
+        case Level::touches: touch_.start(bytes_.token()); return open(Level::touch);
+        case Level::target:
+            if (!target_.expects(TargetDraft::ValueKind::letters)) return fail_type("an object");
+            target_.draft().begin_rotary();
+            return open(Level::rotary);
+        default: return fail_type("an object");
     }
-    if (!add_key(offset_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
-    key_ = std::move(name);
-    return true;
 }
 
-bool JsonHandler::offset_value(double value) {
-    WorkOffset& offset = file_.program.work_offsets[offset_name_];
-    if (key_ == kRotationKey) {
-        offset.rotation_deg = value;
-    } else {
-        offset.origin[key_[0]] = value;
-    }
-    return true;
-}
-
-bool JsonHandler::target_key(const std::string& name) {
-    const auto* const found = std::find(kTargetKeys.begin(), kTargetKeys.end(), name);
-    if (found == kTargetKeys.end()) return fail(unknown_key(name, "a target", kTargetKeys));
-    target_key_ = static_cast<TargetKey>(found - kTargetKeys.begin());
-    if (draft_.mark_present(target_key_)) return fail(fmt::format("'{}' is given twice", name));
-    return true;
-}
-
-bool JsonHandler::touch_key(const std::string& name) {
-    const auto* const found = std::find(kTouchKeys.begin(), kTouchKeys.end(), name);
-    if (found == kTouchKeys.end()) return fail(unknown_key(name, "a touch", kTouchKeys));
-    touch_key_ = static_cast<TouchKey>(found - kTouchKeys.begin());
-    if (touch_draft_.mark_present(touch_key_)) return fail(fmt::format("'{}' is given twice", name));
-    return true;
-}
-
-bool JsonHandler::touch_value(double value) {
-    if (TouchDraft::value_kind(touch_key_) != TouchDraft::ValueKind::number) return type_error("a number");
-    return check(touch_draft_.set_number(touch_key_, value));
-}
-
-bool JsonHandler::touch_value(std::string_view value) {
-    if (TouchDraft::value_kind(touch_key_) != TouchDraft::ValueKind::text) return type_error("a string");
-    return check(touch_draft_.set_text(touch_key_, value));
-}
-
-// Adds the touch to a path, or to the use of one.
-bool JsonHandler::end_touch() {
-    const auto touch = touch_draft_.finish();
-    if (!touch) return fail(touch_location_, touch.error());
-    if (levels_[levels_.size() - 2] == Level::path) {
-        path_draft_.add_touch(*touch);
-    } else {
-        draft_.add_touch(*touch);
-    }
-    return true;
+bool JsonHandler::start_path() {
+    path_.start();
+    file_.program.paths.emplace_back();
+    file_.paths.push_back(bytes_.token());
+    file_.targets.emplace_back();
+    return open(Level::path);
 }
 
 bool JsonHandler::end_object() {
@@ -258,87 +132,86 @@ bool JsonHandler::end_object() {
     return true;
 }
 
-bool JsonHandler::start_array(std::size_t) {
-    if (level() == Level::program && key_ == "paths") {
-        levels_.push_back(Level::paths);
-        return true;
+bool JsonHandler::end_path() {
+    const SourceLocation source_location = file_.paths.back();
+    Path& path = file_.program.paths.back();
+    if (auto done = path_.finish(path); !done) return fail(source_location, done.error().message);
+    if (names_.add(path.name, file_.program.paths.size() - 1)) return true;
+    return fail(source_location, fmt::format("two paths have the name '{}'", path.name));
+}
+
+bool JsonHandler::end_target() {
+    Result<Target> target = target_.draft().finish();
+    if (!target) return fail(target_.location(), target.error().message);
+    const std::size_t path = file_.program.paths.size() - 1;
+    std::vector<Target>& targets = file_.program.paths.back().targets;
+    if (target_.draft().is_sub_path()) names_.add_use({path, targets.size()}, target_.draft().path_name());
+    targets.push_back(std::move(*target));
+    file_.targets.back().push_back(target_.location());
+    return true;
+}
+
+// Adds the touch to a path, or to the use of one.
+bool JsonHandler::end_touch() {
+    const auto touch = touch_.finish();
+    if (!touch) return fail(touch_.location(), touch.error().message);
+    if (outer_level() == Level::path) {
+        path_.add_touch(*touch);
+    } else {
+        target_.draft().add_touch(*touch);
     }
-    if (level() == Level::path) return start_path_array();
-    if (level() == Level::touch) return start_touch_array();
-    return level() == Level::target ? start_target_array() : type_error("an array");
+    return true;
+}
+
+// --- Arrays ---
+
+bool JsonHandler::open_vector() {
+    values_.clear();
+    return open(Level::vector);
+}
+
+bool JsonHandler::start_array(std::size_t) {
+    switch (level()) {
+        case Level::program: return program_.is_at("paths") ? open(Level::paths) : fail_type("an array");
+        case Level::path: return start_path_array();
+        case Level::touch: return touch_.expects_vector() ? open_vector() : fail_type("an array");
+        case Level::target: return start_target_array();
+        default: return fail_type("an array");
+    }
 }
 
 bool JsonHandler::start_path_array() {
-    const bool is_vector = expects(PathDraft::ValueKind::vector);
-    const bool are_touches = expects(PathDraft::ValueKind::touches);
-    if (!is_vector && !are_touches && path_key_ != PathKey::targets) return type_error("an array");
-    values_.clear();
-    levels_.push_back(is_vector ? Level::vector : are_touches ? Level::touches : Level::targets);
-    return true;
-}
-
-bool JsonHandler::start_touch_array() {
-    if (TouchDraft::value_kind(touch_key_) != TouchDraft::ValueKind::vector) return type_error("an array");
-    values_.clear();
-    levels_.push_back(Level::vector);
-    return true;
+    if (path_.expects_vector()) return open_vector();
+    if (path_.expects_touches()) return open(Level::touches);
+    return path_.expects_targets() ? open(Level::targets) : fail_type("an array");
 }
 
 bool JsonHandler::start_target_array() {
-    const TargetDraft::ValueKind kind = TargetDraft::value_kind(target_key_);
-    if (kind == TargetDraft::ValueKind::list) {
-        levels_.push_back(Level::actions);
-        return true;
-    }
-    if (kind == TargetDraft::ValueKind::touches) {
-        levels_.push_back(Level::touches);
-        return true;
-    }
-    if (kind != TargetDraft::ValueKind::vector) return type_error("an array");
-    values_.clear();
-    levels_.push_back(Level::vector);
-    return true;
+    if (target_.expects(TargetDraft::ValueKind::list)) return open(Level::actions);
+    if (target_.expects(TargetDraft::ValueKind::touches)) return open(Level::touches);
+    return target_.expects(TargetDraft::ValueKind::vector) ? open_vector() : fail_type("an array");
 }
 
 bool JsonHandler::end_array() {
     const Level ended = level();
     levels_.pop_back();
     if (ended == Level::touches)
-        return check(level() == Level::path ? path_draft_.end_touches() : draft_.end_touches());
+        return check(level() == Level::path ? path_.end_touches() : target_.draft().end_touches());
     return ended == Level::vector ? end_vector() : true;
 }
 
 bool JsonHandler::end_vector() {
-    if (level() == Level::touch) return check(touch_draft_.set_vector(touch_key_, values_));
-    return check(level() == Level::path ? path_draft_.set_vector(path_key_, values_)
-                                        : draft_.set_vector(target_key_, values_));
+    if (level() == Level::touch) return check(touch_.vector(values_));
+    return check(level() == Level::path ? path_.vector(values_) : target_.vector(values_));
 }
 
-bool JsonHandler::end_path() {
-    const SourceLocation source_location = file_.paths.back();
-    for (const std::string_view name : std::span(kPathKeys).first(kRequiredPathKeys)) {
-        if (std::find(path_keys_.begin(), path_keys_.end(), name) == path_keys_.end()) {
-            return fail(source_location, fmt::format("a path lacks the key '{}'", name));
-        }
-    }
-    if (auto done = path_draft_.finish(file_.program.paths.back()); !done)
-        return fail(source_location, done.error());
-    const std::size_t index = file_.program.paths.size() - 1;
-    const std::string& name = file_.program.paths.back().name;
-    if (by_name_.emplace(name, index).second) return true;
-    return fail(source_location, fmt::format("there are two paths of the name '{}'", name));
+// Returns the key of the open vector.
+std::string_view JsonHandler::vector_key() const {
+    if (outer_level() == Level::touch) return touch_.current_key();
+    return outer_level() == Level::path ? path_.current_key() : target_.current_key();
 }
 
-bool JsonHandler::end_target() {
-    tl::expected<Target, std::string> target = draft_.finish();
-    if (!target) return fail(draft_location_, target.error());
-    const std::size_t path = file_.program.paths.size() - 1;
-    std::vector<Target>& targets = file_.program.paths.back().targets;
-    if (draft_.is_sub_path()) references_.push_back({{path, targets.size()}, draft_.path_name()});
-    targets.push_back(std::move(*target));
-    file_.targets.back().push_back(draft_location_);
-    return true;
-}
+// --- The end ---
 
 bool JsonHandler::parse_error(std::size_t, const std::string&, const nlohmann::json::exception& exception) {
     SourceLocation source_location = bytes_.location();
@@ -346,34 +219,15 @@ bool JsonHandler::parse_error(std::size_t, const std::string&, const nlohmann::j
     return fail(source_location, plain_message(exception.what()));
 }
 
-std::optional<std::size_t> JsonHandler::path_index(std::string_view name) const {
-    const auto found = by_name_.find(name);
-    if (found == by_name_.end()) return std::nullopt;
-    return found->second;
-}
-
-bool JsonHandler::resolve() {
-    if (file_.program.paths.empty())
-        return fail(SourceLocation{1, 1}, "a path file needs 'paths' with one path at least");
-    if (root_) {
-        const auto index = path_index(*root_);
-        if (!index) return fail(root_location_, fmt::format("there is no path of the name '{}'", *root_));
-        file_.program.root = *index;
+Result<PathFile> JsonHandler::finish() {
+    if (file_.program.paths.empty()) {
+        fail(SourceLocation{1, 1}, "a path file needs 'paths' with at least one path");
+        return tl::unexpected(error_);
     }
-    for (const Reference& reference : references_) {
-        const auto [path, target] = reference.from;
-        const auto index = path_index(reference.path_name);
-        if (!index) {
-            return fail(file_.targets[path][*target],
-                        fmt::format("there is no path of the name '{}'", reference.path_name));
-        }
-        std::get<SubPath>(file_.program.paths[path].targets[*target]).path = *index;
+    if (const auto error = names_.resolve(file_)) {
+        fail({error->line, error->column}, error->message);
+        return tl::unexpected(error_);
     }
-    return true;
-}
-
-tl::expected<PathFile, std::string> JsonHandler::finish() {
-    if (!resolve()) return tl::unexpected(error_);
     return std::move(file_);
 }
 

@@ -17,8 +17,7 @@ constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30U;
 
 }  // namespace
 
-tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, std::size_t)> read,
-                                              std::string file_name) {
+Result<PathFile> read_json(std::function<std::size_t(char*, std::size_t)> read, std::string file_name) {
     std::uint64_t size = 0;
     const auto bounded = [&size, &read](char* buffer, std::size_t capacity) {
         const std::size_t count = read(buffer, capacity);
@@ -31,11 +30,12 @@ tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, s
     const bool parsed =
         nlohmann::json::sax_parse(JsonBytes::Iterator(*bytes), JsonBytes::Iterator(), &handler);
     if (size > kMaxBytes)
-        return tl::unexpected(fmt::format("{}: paths of up to {} MiB are read", file_name, kMaxBytes >> 20U));
+        return Unexpected(
+            fmt::format("{}: the maximum size of a path file is {} MiB", file_name, kMaxBytes >> 20U));
     if (!parsed) {
         return tl::unexpected(handler.error());
     }
-    tl::expected<PathFile, std::string> file = handler.finish();
+    Result<PathFile> file = handler.finish();
     if (!file) return file;
     if (const auto error = validate(file->program)) {
         return tl::unexpected(file->with_location(error->where, error->message));
@@ -43,7 +43,7 @@ tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, s
     return file;
 }
 
-tl::expected<PathFile, std::string> read_json(std::string_view text, std::string file_name) {
+Result<PathFile> read_json(std::string_view text, std::string file_name) {
     const auto read = [&text](char* buffer, std::size_t size) {
         const std::size_t count = text.copy(buffer, size);
         text.remove_prefix(count);

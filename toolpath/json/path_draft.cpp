@@ -17,16 +17,16 @@ PathDraft::ValueKind PathDraft::value_kind(PathKey key) {
     }
 }
 
-tl::expected<void, std::string> PathDraft::set_text(PathKey key, std::string_view value) {
-    if (value.empty()) return tl::unexpected(fmt::format("'{}' must not be empty", key_name(key)));
+Result<void> PathDraft::set_text(PathKey key, std::string_view value) {
+    if (value.empty()) return Unexpected(fmt::format("'{}' must not be empty", key_name(key)));
     frame_.name = frame_name(value);
     return {};
 }
 
-tl::expected<void, std::string> PathDraft::set_number(PathKey key, double value) {
+Result<void> PathDraft::set_number(PathKey key, double value) {
     if (!(value >= 0 && value <= kMaxToolNumber) || value != std::floor(value)) {
-        return tl::unexpected(fmt::format("'{}' must be a whole number from 0 to {}; it is {}", key_name(key),
-                                          kMaxToolNumber, value));
+        return Unexpected(fmt::format("'{}' must be an integer from 0 to {}; it is {}", key_name(key),
+                                      kMaxToolNumber, value));
     }
     auto& number = key == PathKey::tool            ? tool_
                    : key == PathKey::length_offset ? length_offset_
@@ -35,40 +35,39 @@ tl::expected<void, std::string> PathDraft::set_number(PathKey key, double value)
     return {};
 }
 
-tl::expected<void, std::string> PathDraft::set_vector(PathKey key, const std::vector<double>& values) {
+Result<void> PathDraft::set_vector(PathKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
-        return tl::unexpected(
-            fmt::format("'{}' must hold three numbers; it holds {}", key_name(key), values.size()));
+        return Unexpected(
+            fmt::format("'{}' must contain three numbers; it contains {}", key_name(key), values.size()));
     }
     frame_.set_offset_mm = {values[0], values[1], values[2]};
     return {};
 }
 
-tl::expected<void, std::string> PathDraft::end_touches() const {
+Result<void> PathDraft::end_touches() const {
     if (frame_.touches.empty())
-        return tl::unexpected(
-            fmt::format("'{}' must hold one touch at least", key_name(PathKey::probe_offset)));
+        return Unexpected(
+            fmt::format("'{}' must contain at least one touch", key_name(PathKey::probe_offset)));
     return {};
 }
 
-tl::expected<WorkFrame, std::string> PathDraft::finish_frame() const {
+Result<WorkFrame> PathDraft::finish_frame() const {
     if (frame_.set_offset_mm && frame_.name.empty())
-        return tl::unexpected<std::string>("'set_offset_mm' goes with 'work_offset', which says what is set");
+        return Unexpected("'set_offset_mm' requires 'work_offset', which names the offset to set");
     if (!frame_.touches.empty() && frame_.name.empty())
-        return tl::unexpected<std::string>(
-            "'probe_offset' goes with 'work_offset', which says what is found");
+        return Unexpected("'probe_offset' requires 'work_offset', which names the offset to measure");
     return frame_;
 }
 
-tl::expected<void, std::string> PathDraft::finish(Path& path) const {
+Result<void> PathDraft::finish(Path& path) const {
     auto frame = finish_frame();
     if (!frame) return tl::unexpected(frame.error());
     path.frame = *std::move(frame);
     if (tool_) {
         path.tool = Tool{*tool_, length_offset_.value_or(*tool_), diameter_offset_};
     } else if (length_offset_ || diameter_offset_) {
-        return tl::unexpected(
-            fmt::format("'{}' goes with 'tool'",
+        return Unexpected(
+            fmt::format("'{}' requires 'tool'",
                         key_name(length_offset_ ? PathKey::length_offset : PathKey::diameter_offset)));
     }
     return {};

@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "toolpath/json/keys.h"
 #include "toolpath/model/path.h"
 
@@ -19,19 +18,19 @@ class PathDraft {
     enum class ValueKind { other, text, number, vector, touches };
     static ValueKind value_kind(PathKey key);
 
-    tl::expected<void, std::string> set_text(PathKey key, std::string_view value);
-    tl::expected<void, std::string> set_number(PathKey key, double value);
+    Result<void> set_text(PathKey key, std::string_view value);
+    Result<void> set_number(PathKey key, double value);
     /// Sets a vector, which needs its exact number of values.
-    tl::expected<void, std::string> set_vector(PathKey key, const std::vector<double>& values);
+    Result<void> set_vector(PathKey key, const std::vector<double>& values);
 
     /// Adds one of the list of `probe_offset`; end_touches() follows the last one.
     void add_touch(const Touch& touch) { frame_.touches.push_back(touch); }
-    tl::expected<void, std::string> end_touches() const;
+    Result<void> end_touches() const;
 
     /// Sets both in the path, once all keys are read.
-    tl::expected<void, std::string> finish(Path& path) const;
+    Result<void> finish(Path& path) const;
     /// Returns the frame for a use of a path, which has no tool.
-    tl::expected<WorkFrame, std::string> finish_frame() const;
+    Result<WorkFrame> finish_frame() const;
 
   private:
     WorkFrame frame_;

@@ -51,7 +51,7 @@ bool TargetDraft::mark_present(TargetKey key) {
     return before;
 }
 
-tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string_view value) {
+Result<void> TargetDraft::set_text(TargetKey key, std::string_view value) {
     if (key == TargetKey::name) {
         point_.name = value;
     } else if (key == TargetKey::path) {
@@ -64,15 +64,14 @@ tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string
     } else {
         const auto* const found = std::find(kMotionNames.begin(), kMotionNames.end(), value);
         if (found == kMotionNames.end()) {
-            return tl::unexpected<std::string>(
-                fmt::format("'motion' must be \"{}\"", text::joined(kMotionNames, "\" or \"")));
+            return Unexpected(fmt::format("'motion' must be \"{}\"", text::joined(kMotionNames, "\" or \"")));
         }
         point_.motion = static_cast<MotionType>(found - kMotionNames.begin());
     }
     return {};
 }
 
-tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double value) {
+Result<void> TargetDraft::set_number(TargetKey key, double value) {
     switch (key) {
         case TargetKey::turn_deg: center_.turn_deg = value; break;
         case TargetKey::feed_mm_min: point_.feed_mm_min = value; break;
@@ -86,27 +85,27 @@ tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double va
         case TargetKey::reference: return set_point_number(key, value, kReferencePointCount);
         default:
             if (!(value >= 1 && value <= kMaxRepeats) || value != std::floor(value)) {
-                return tl::unexpected<std::string>(
-                    fmt::format("'repeats' must be a whole number from 1 to 1000000000; it is {}", value));
+                return Unexpected(
+                    fmt::format("'repeats' must be an integer from 1 to 1000000000; it is {}", value));
             }
             repeats_ = static_cast<int>(value);
     }
     return {};
 }
 
-tl::expected<void, std::string> TargetDraft::set_point_number(TargetKey key, double value, int max) {
+Result<void> TargetDraft::set_point_number(TargetKey key, double value, int max) {
     if (!(value >= 1 && value <= max) || value != std::floor(value)) {
-        return tl::unexpected(
-            fmt::format("'{}' must be a whole number from 1 to {}; it is {}", key_name(key), max, value));
+        return Unexpected(
+            fmt::format("'{}' must be an integer from 1 to {}; it is {}", key_name(key), max, value));
     }
     machine_point_.number = static_cast<int>(value);
     return {};
 }
 
-tl::expected<void, std::string> TargetDraft::set_vector(TargetKey key, const std::vector<double>& values) {
+Result<void> TargetDraft::set_vector(TargetKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
-        return tl::unexpected<std::string>(
-            fmt::format("'{}' must hold three numbers; it holds {}", key_name(key), values.size()));
+        return Unexpected(
+            fmt::format("'{}' must contain three numbers; it contains {}", key_name(key), values.size()));
     }
     if (key == TargetKey::set_offset_mm) return frame_.set_vector(PathKey::set_offset_mm, values);
     const Vector vector = to_vector(values);
@@ -121,20 +120,20 @@ tl::expected<void, std::string> TargetDraft::set_vector(TargetKey key, const std
     return {};
 }
 
-tl::expected<void, std::string> TargetDraft::set_rotary(std::string_view letter, double value_deg) {
+Result<void> TargetDraft::set_rotary(std::string_view letter, double value_deg) {
     if (letter.size() != 1 || letter[0] < 'A' || letter[0] > 'Z') {
-        return tl::unexpected<std::string>(
-            fmt::format("'rotary_deg' names axes by one capital letter each, such as B, not '{}'", letter));
+        return Unexpected(fmt::format(
+            "'rotary_deg' must contain axes by one capital letter each, such as B, not '{}'", letter));
     }
     auto& axes = std::get<RotaryAxes>(*point_.orientation);
     if (!axes.emplace(letter[0], value_deg).second)
-        return tl::unexpected<std::string>(fmt::format("'{}' is given twice", letter));
+        return Unexpected(fmt::format("'{}' is given twice", letter));
     return {};
 }
 
-std::optional<std::string> TargetDraft::sub_path_error() const {
+std::optional<Error> TargetDraft::find_sub_path_error() const {
     if (!has(TargetKey::path)) {
-        return fmt::format("'{}' is of sub-paths; this target lacks the key 'path'",
+        return fmt::format("'{}' is only for sub-paths; this target lacks the key 'path'",
                            key_name(has(TargetKey::repeats)         ? TargetKey::repeats
                                     : has(TargetKey::set_offset_mm) ? TargetKey::set_offset_mm
                                                                     : TargetKey::probe_offset));
@@ -148,59 +147,58 @@ std::optional<std::string> TargetDraft::sub_path_error() const {
     return std::nullopt;
 }
 
-std::optional<std::string> TargetDraft::arc_error() const {
+std::optional<Error> TargetDraft::find_arc_error() const {
     const bool via = has(TargetKey::via_mm);
     const bool center = has(TargetKey::center_mm);
     if (point_.motion != MotionType::circular) {
         for (const TargetKey key :
              {TargetKey::via_mm, TargetKey::center_mm, TargetKey::normal, TargetKey::turn_deg}) {
-            if (has(key)) return fmt::format("'{}' is of circular motions only", key_name(key));
+            if (has(key)) return fmt::format("'{}' is only for circular motions", key_name(key));
         }
         return std::nullopt;
     }
     if (via == center) return "a circular motion needs either 'via_mm' or 'center_mm' with 'turn_deg'";
     if (center && !has(TargetKey::turn_deg)) return "an arc about 'center_mm' lacks the key 'turn_deg'";
     if (via && (has(TargetKey::normal) || has(TargetKey::turn_deg))) {
-        return "an arc through 'via_mm' has neither 'normal' nor 'turn_deg'; these go with 'center_mm'";
+        return "an arc through 'via_mm' must not have 'normal' or 'turn_deg'; these require 'center_mm'";
     }
     return std::nullopt;
 }
 
-std::optional<std::string> TargetDraft::point_error() const {
+std::optional<Error> TargetDraft::find_point_error() const {
     if (!has(TargetKey::position_mm)) return "a point lacks the key 'position_mm'";
     const int orientations = static_cast<int>(has(TargetKey::tool_axis)) +
                              static_cast<int>(has(TargetKey::rpy_deg)) +
                              static_cast<int>(has(TargetKey::rotary_deg));
-    if (orientations > 1) return "a point has one of 'tool_axis', 'rpy_deg' and 'rotary_deg', not several";
-    return arc_error();
+    if (orientations > 1) return "a point may have only one of 'tool_axis', 'rpy_deg' and 'rotary_deg'";
+    return find_arc_error();
 }
 
-std::optional<std::string> TargetDraft::machine_point_error() const {
+std::optional<Error> TargetDraft::find_machine_point_error() const {
     if (has(TargetKey::fixed) && has(TargetKey::reference))
-        return "'fixed' and 'reference' are two points; a target is one of them";
+        return "'fixed' and 'reference' are two points; a target may have only one of them";
     for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
         const auto key = static_cast<TargetKey>(i);
         const bool is_point_key =
             std::find(kMachinePointKeys.begin(), kMachinePointKeys.end(), key) != kMachinePointKeys.end();
         if (!present_keys_[i] || is_point_key) continue;
         return fmt::format(
-            "a target with the key '{}' is a point of the machine, which it goes to by a rapid; it cannot "
-            "have "
-            "'{}'",
+            "a target with the key '{}' is a point of the machine, which is reached by a rapid; it cannot "
+            "have '{}'",
             key_name(has(TargetKey::fixed) ? TargetKey::fixed : TargetKey::reference), kTargetKeys[i]);
     }
     return std::nullopt;
 }
 
-tl::expected<Target, std::string> TargetDraft::finish() {
+Result<Target> TargetDraft::finish() {
     if (is_sub_path()) {
-        if (auto message = sub_path_error()) return tl::unexpected<std::string>(std::move(*message));
+        if (auto error = find_sub_path_error()) return tl::unexpected(*std::move(error));
         auto frame = frame_.finish_frame();
         if (!frame) return tl::unexpected(frame.error());
         return SubPath{0, repeats_, *std::move(frame)};
     }
     if (is_machine_point()) {
-        if (auto message = machine_point_error()) return tl::unexpected(*std::move(message));
+        if (auto error = find_machine_point_error()) return tl::unexpected(*std::move(error));
         machine_point_.kind =
             has(TargetKey::fixed) ? MachinePoint::Kind::fixed : MachinePoint::Kind::reference;
         machine_point_.name = std::move(point_.name);
@@ -209,7 +207,7 @@ tl::expected<Target, std::string> TargetDraft::finish() {
         machine_point_.actions.shrink_to_fit();
         return std::move(machine_point_);
     }
-    if (auto message = point_error()) return tl::unexpected<std::string>(std::move(*message));
+    if (auto error = find_point_error()) return tl::unexpected(*std::move(error));
     if (has(TargetKey::center_mm)) {
         point_.arc = center_;
     } else {
@@ -224,7 +222,7 @@ std::string unknown_key(std::string_view key, std::string_view where,
     constexpr std::size_t kMaxShownLength = 64;
     const auto nearest = text::nearest_name(key, known);
     const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                     : fmt::format("it may hold: {}", text::joined(known, ", "));
+                                     : fmt::format("known keys: {}", text::joined(known, ", "));
     return fmt::format("unknown key '{}' in {}; {}", key.substr(0, kMaxShownLength), where, hint);
 }
 

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "toolpath/json/keys.h"
 #include "toolpath/json/path_draft.h"
 #include "toolpath/model/path.h"
@@ -25,21 +24,21 @@ class TargetDraft {
     /// Marks the key as present; returns true if it was present before.
     bool mark_present(TargetKey key);
 
-    tl::expected<void, std::string> set_text(TargetKey key, std::string_view value);
-    tl::expected<void, std::string> set_number(TargetKey key, double value);
+    Result<void> set_text(TargetKey key, std::string_view value);
+    Result<void> set_number(TargetKey key, double value);
     /// Sets a vector, which needs its exact number of values.
-    tl::expected<void, std::string> set_vector(TargetKey key, const std::vector<double>& values);
-    tl::expected<void, std::string> set_rotary(std::string_view letter, double value_deg);
+    Result<void> set_vector(TargetKey key, const std::vector<double>& values);
+    Result<void> set_rotary(std::string_view letter, double value_deg);
     void add_action(std::string action) { point_.actions.push_back(std::move(action)); }
     /// Adds one of the list of `probe_offset`; end_touches() follows the last one.
     void add_touch(const Touch& touch) { frame_.add_touch(touch); }
-    tl::expected<void, std::string> end_touches() const { return frame_.end_touches(); }
+    Result<void> end_touches() const { return frame_.end_touches(); }
     /// Begins a table of rotary axes, which may be empty.
     void begin_rotary() { point_.orientation = RotaryAxes{}; }
 
     /// Returns the target, once all its keys are read. A sub-path has the index 0; `path_name()` gives the
     /// path that is meant.
-    tl::expected<Target, std::string> finish();
+    Result<Target> finish();
     bool is_sub_path() const {
         return has(TargetKey::path) || has(TargetKey::repeats) || has(TargetKey::set_offset_mm) ||
                has(TargetKey::probe_offset);
@@ -48,12 +47,12 @@ class TargetDraft {
 
   private:
     bool has(TargetKey key) const { return present_keys_[static_cast<std::size_t>(key)]; }
-    tl::expected<void, std::string> set_point_number(TargetKey key, double value, int max);
+    Result<void> set_point_number(TargetKey key, double value, int max);
     bool is_machine_point() const { return has(TargetKey::fixed) || has(TargetKey::reference); }
-    std::optional<std::string> sub_path_error() const;
-    std::optional<std::string> point_error() const;
-    std::optional<std::string> machine_point_error() const;
-    std::optional<std::string> arc_error() const;
+    std::optional<Error> find_sub_path_error() const;
+    std::optional<Error> find_point_error() const;
+    std::optional<Error> find_machine_point_error() const;
+    std::optional<Error> find_arc_error() const;
 
     std::bitset<kTargetKeys.size()> present_keys_;
     Point point_;

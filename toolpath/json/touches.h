@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "toolpath/json/keys.h"
 #include "toolpath/model/path.h"
 
@@ -21,13 +20,13 @@ class TouchDraft {
 
     /// Marks the key as present; returns true if it was present before.
     bool mark_present(TouchKey key);
-    tl::expected<void, std::string> set_text(TouchKey key, std::string_view value);
-    tl::expected<void, std::string> set_number(TouchKey key, double value);
+    Result<void> set_text(TouchKey key, std::string_view value);
+    Result<void> set_number(TouchKey key, double value);
     /// Sets a vector, which needs its exact number of values.
-    tl::expected<void, std::string> set_vector(TouchKey key, const std::vector<double>& values);
+    Result<void> set_vector(TouchKey key, const std::vector<double>& values);
 
     /// Returns the touch, once all its keys are read.
-    tl::expected<Touch, std::string> finish() const;
+    Result<Touch> finish() const;
 
   private:
     std::vector<bool> present_keys_ = std::vector<bool>(kTouchKeys.size(), false);
@@ -35,7 +34,7 @@ class TouchDraft {
 };
 
 /// Returns the error in the values of a touch.
-std::optional<std::string> touch_error(const Touch& touch);
+std::optional<Error> find_touch_error(const Touch& touch);
 
 /// Returns true if the path of a touch leads towards larger values of its axis.
 bool is_upward(const Touch& touch);

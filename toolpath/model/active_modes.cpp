@@ -52,14 +52,13 @@ bool is_tool_change(const std::string& action) {
     return action == "tool_change" || action.starts_with("tool_change ");
 }
 
-tl::expected<std::vector<std::string>, std::string> restore_actions(const ActiveModes& active_modes,
-                                                                    const ToolChangeStops& stops) {
+Result<std::vector<std::string>> restore_actions(const ActiveModes& active_modes,
+                                                 const ToolChangeStops& stops) {
     std::vector<std::string> actions;
     const auto make_error = [](std::string_view what) {
-        return tl::unexpected(
-            fmt::format("this control stops the {0} to change the tool, and the places that lead to this "
-                        "change hand over "
-                        "different states of it; switch it by an action in front of the change",
+        return Unexpected(
+            fmt::format("this controller stops the {0} to change the tool, and the paths that lead to this "
+                        "change have different states of it; switch it by an action before the change",
                         what));
     };
     if (stops.spindle) {
@@ -79,8 +78,9 @@ tl::expected<std::vector<std::string>, std::string> restore_actions(const Active
     return actions;
 }
 
-tl::expected<std::vector<std::string>, std::string> insert_restore_actions(
-    const std::vector<std::string>& actions, ActiveModes active_modes, const ToolChangeStops& stops) {
+Result<std::vector<std::string>> insert_restore_actions(const std::vector<std::string>& actions,
+                                                        ActiveModes active_modes,
+                                                        const ToolChangeStops& stops) {
     std::vector<std::string> all;
     for (const std::string& action : actions) {
         all.push_back(action);

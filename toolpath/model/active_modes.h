@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "toolpath/json/inherited.h"
 
 namespace gsim::path {
@@ -36,12 +35,13 @@ bool is_tool_change(const std::string& action);
 
 /// Returns the actions after a tool change that restart what it has stopped, in their order. The error is a
 /// message: the positions that lead to the change pass on different values.
-tl::expected<std::vector<std::string>, std::string> restore_actions(const ActiveModes& active_modes,
-                                                                    const ToolChangeStops& stops);
+Result<std::vector<std::string>> restore_actions(const ActiveModes& active_modes,
+                                                 const ToolChangeStops& stops);
 
 /// Returns the actions of a target, each tool change among them followed by the restart of what it has
 /// stopped. `running`: the state before them. The error is a message, see restored().
-tl::expected<std::vector<std::string>, std::string> insert_restore_actions(
-    const std::vector<std::string>& actions, ActiveModes active_modes, const ToolChangeStops& stops);
+Result<std::vector<std::string>> insert_restore_actions(const std::vector<std::string>& actions,
+                                                        ActiveModes active_modes,
+                                                        const ToolChangeStops& stops);
 
 }  // namespace gsim::path

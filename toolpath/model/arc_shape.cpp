@@ -24,18 +24,16 @@ double angle_between(const Vector3d& from, const Vector3d& to, const Vector3d& n
     return angle < 0 ? angle + kTurn_rad : angle;
 }
 
-tl::expected<ArcShape, std::string> arc_through(const Vector3d& start, const Vector3d& via,
-                                                const Vector3d& end) {
+Result<ArcShape> arc_through(const Vector3d& start, const Vector3d& via, const Vector3d& end) {
     const Vector3d chord = end - start;
     const Vector3d to_via = via - start;
     if (chord.norm() < kMinArc_mm) {
-        return tl::unexpected<std::string>(
-            "an arc through 'via_mm' must end elsewhere than it starts; give a full circle by 'center_mm'");
+        return Unexpected(
+            "an arc through 'via_mm' must not end at its start; give a full circle by 'center_mm'");
     }
     const Vector3d cross = chord.cross(to_via);
     if (cross.norm() < kMinArc_mm * chord.norm()) {
-        return tl::unexpected<std::string>(
-            "the via point lies on the line through start and end, which makes no arc; use a linear motion");
+        return Unexpected("the via point is on the line through start and end; use a linear motion");
     }
     // Centre of the circle through three points, from the first one.
     const Vector3d to_center =
@@ -50,14 +48,13 @@ tl::expected<ArcShape, std::string> arc_through(const Vector3d& start, const Vec
     return arc;
 }
 
-tl::expected<ArcShape, std::string> arc_about_center(const Vector3d& start, const CenterArc& given,
-                                                     const Vector3d& end) {
+Result<ArcShape> arc_about_center(const Vector3d& start, const CenterArc& given, const Vector3d& end) {
     ArcShape arc;
     const Vector3d normal = to_eigen(given.normal);
-    if (!(normal.norm() > 0)) return tl::unexpected<std::string>("the 'normal' of an arc must not be 0 0 0");
+    if (!(normal.norm() > 0)) return Unexpected("the 'normal' of an arc must not be 0 0 0");
     if (!(given.turn_deg > 0 && given.turn_deg <= kMaxArcTurn_deg)) {
-        return tl::unexpected<std::string>(fmt::format(
-            "'turn_deg' must be above 0 and at most 360000; it is {}. The sense is that of 'normal'",
+        return Unexpected(fmt::format(
+            "'turn_deg' must be above 0 and at most 360000; it is {}. The direction is that of 'normal'",
             given.turn_deg));
     }
     arc.normal = normal.normalized();
@@ -68,17 +65,16 @@ tl::expected<ArcShape, std::string> arc_about_center(const Vector3d& start, cons
     const Vector3d last = end - arc.center - arc.normal * arc.rise_mm;
     arc.end_radius_mm = last.norm();
     arc.turn_rad = given.turn_deg * kRadPerDeg;
-    if (arc.radius_mm() < kMinArc_mm) return tl::unexpected<std::string>("the arc starts at its centre");
+    if (arc.radius_mm() < kMinArc_mm) return Unexpected("the arc starts at its centre");
     if (std::abs(arc.end_radius_mm - arc.radius_mm()) > kArcTolerance_mm) {
-        return tl::unexpected<std::string>(
-            fmt::format("the arc starts {:.6g} mm from its centre and ends {:.6g} mm from it",
-                        arc.radius_mm(), arc.end_radius_mm));
+        return Unexpected(fmt::format("the arc starts {:.6g} mm from its centre and ends {:.6g} mm from it",
+                                      arc.radius_mm(), arc.end_radius_mm));
     }
     const double off = std::remainder(arc.turn_rad - angle_between(arc.first, last, arc.normal), kTurn_rad);
     if (std::abs(off) * arc.radius_mm() > kArcTolerance_mm) {
         const double right = (arc.turn_rad - off) * kDegPerRad;
-        return tl::unexpected<std::string>(fmt::format("'turn_deg' {} does not lead to the end; {:.6g} would",
-                                                       given.turn_deg, right > 0 ? right : right + 360));
+        return Unexpected(fmt::format("'turn_deg' {} does not reach the end; {:.6g} would", given.turn_deg,
+                                      right > 0 ? right : right + 360));
     }
     arc.turn_rad = std::max(arc.turn_rad - off, std::abs(off));
     return arc;
@@ -93,7 +89,7 @@ Vector3d ArcShape::at(double share) const {
            share * rise_mm * normal;
 }
 
-tl::expected<ArcShape, std::string> arc_shape(const Vector& start_mm, const Point& end) {
+Result<ArcShape> arc_shape(const Vector& start_mm, const Point& end) {
     const Vector3d start = to_eigen(start_mm);
     const Vector3d last = to_eigen(end.position_mm);
     if (const auto* via = std::get_if<ViaPoint>(&end.arc))

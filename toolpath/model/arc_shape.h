@@ -3,8 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "toolpath/model/path.h"
 
 namespace gsim::path {
@@ -30,7 +29,7 @@ struct ArcShape {
     Eigen::Vector3d at(double share) const;
 };
 
-/// Returns the arc of a circular motion from `start_mm` to a point. The error is a message.
-tl::expected<ArcShape, std::string> arc_shape(const Vector& start_mm, const Point& end);
+/// Returns the arc of a circular motion from `start_mm` to a point.
+Result<ArcShape> arc_shape(const Vector& start_mm, const Point& end);
 
 }  // namespace gsim::path

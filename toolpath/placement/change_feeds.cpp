@@ -11,8 +11,6 @@ namespace gsim::path {
 
 namespace {
 
-using FeedError = tl::unexpected<std::string>;
-
 /// Path that a feed comes from; nullopt: from the path that uses this one.
 using Source = std::optional<std::size_t>;
 
@@ -98,29 +96,28 @@ std::string unknown_path_message(const Program& program, const std::string& name
     std::vector<std::string_view> names;
     for (const Path& path : program.paths) names.emplace_back(path.name);
     const auto nearest = text::nearest_name(name, names);
-    return fmt::format("there is no path '{}'{}", name,
+    return fmt::format("unknown path '{}'{}", name,
                        nearest ? fmt::format("; did you mean '{}'?", *nearest) : std::string());
 }
 
 }  // namespace
 
-tl::expected<void, std::string> change_feeds(Program& program, const FeedChange& change) {
+Result<void> change_feeds(Program& program, const FeedChange& change) {
     std::size_t changed = 0;
     if (change.path.empty()) {
         for (Path& path : program.paths) changed += change_feeds(path, change);
-        if (changed == 0) return FeedError("no point of the path has a feed");
+        if (changed == 0) return Unexpected("no point of the path has a feed");
         return {};
     }
     const auto path = find_path(program, change.path);
-    if (!path) return FeedError(unknown_path_message(program, change.path));
+    if (!path) return Unexpected(unknown_path_message(program, change.path));
     if (const auto dependent = FeedDependents(program, *path).find()) {
-        return FeedError(
-            fmt::format("the feeds of '{}' cannot be changed alone: '{}' takes one over, and should have "
-                        "its own",
-                        change.path, program.paths[*dependent].name));
+        return Unexpected(fmt::format(
+            "the feeds of '{}' cannot be changed alone: '{}' inherits a feed and needs a separate one",
+            change.path, program.paths[*dependent].name));
     }
     if (change_feeds(program.paths[*path], change) == 0)
-        return FeedError(fmt::format("no point of '{}' has a feed", change.path));
+        return Unexpected(fmt::format("no point of '{}' has a feed", change.path));
     return {};
 }
 

@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "toolpath/model/path.h"
 #include "toolpath/model/validate.h"
 #include "toolpath/rotary/machine_space.h"
@@ -19,14 +20,15 @@ namespace gsim::path {
 /// instead, and must name all rotary axes. Fixed and reference points stay. The error: the path was recorded,
 /// is in several work frames or finds them by touches. Or rotary axes are missing, or the machine has none
 /// that could turn its tool as well.
-tl::expected<void, Error> place(Program& program, const rrs::CartPos& motion, const MachineSpace& space);
+tl::expected<void, TargetError> place(Program& program, const rrs::CartPos& motion,
+                                      const MachineSpace& space);
 
 /// Runs the targets of the root in another order: `order` holds their positions in the file, from 0. The
 /// error: it does not hold each of these, or the targets are not sub-paths that mean the same at any
 /// position. Each must have its own orientation and feed, and nothing that one of them switches may be on in
 /// the next one.
-tl::expected<void, Error> reorder(Program& program, std::span<const std::size_t> order,
-                                  const MachineSpace& space);
+tl::expected<void, TargetError> reorder(Program& program, std::span<const std::size_t> order,
+                                        const MachineSpace& space);
 
 /// Change of feeds (mm/min); feeds per turn of the spindle change with them. Times of single motions
 /// (duration_s) and feeds of rotary axes alone stay.
@@ -37,6 +39,6 @@ struct FeedChange {
 };
 /// Changes feeds. The error, a message: the path does not exist, it has no feeds, or another one would
 /// inherit its feed.
-tl::expected<void, std::string> change_feeds(Program& program, const FeedChange& change);
+Result<void> change_feeds(Program& program, const FeedChange& change);
 
 }  // namespace gsim::path

@@ -14,7 +14,7 @@ namespace gsim::path {
 namespace {
 
 using Eigen::Vector3d;
-using Refused = tl::unexpected<Error>;
+using Refused = tl::unexpected<TargetError>;
 
 constexpr double kAxisTolerance = 1e-9;
 
@@ -75,7 +75,7 @@ class PathTransformer {
           has_machine_points_(has_machine_points(program)),
           axis_(has_rotation_ ? TurningAxis::find(space, motion.linear()) : std::nullopt) {}
 
-    tl::expected<void, Error> run() {
+    tl::expected<void, TargetError> run() {
         if (auto error = find_error()) return Refused(*std::move(error));
         for (std::size_t path = 0; path < program_.paths.size(); ++path) {
             std::vector<Target>& targets = program_.paths[path].targets;
@@ -87,8 +87,8 @@ class PathTransformer {
                     is_axis_known = is_axis_known && !has_machine_points_;
                     continue;
                 }
-                if (auto error = turn(*point, is_axis_known))
-                    return Refused(Error{{path, i}, *std::move(error)});
+                if (auto done = turn(*point, is_axis_known); !done)
+                    return Refused(TargetError{{path, i}, std::move(done.error().message)});
                 move(*point);
             }
         }
@@ -96,15 +96,16 @@ class PathTransformer {
     }
 
   private:
-    std::optional<Error> find_error() const {
+    std::optional<TargetError> find_error() const {
         const auto error = [&](const char* reason) {
-            return Error{{program_.root, std::nullopt}, fmt::format("the path cannot be placed: {}", reason)};
+            return TargetError{{program_.root, std::nullopt},
+                               fmt::format("the path cannot be placed: {}", reason)};
         };
-        if (program_.is_recorded()) return error("it was recorded, and is where the run was");
+        if (program_.is_recorded()) return error("it was recorded and has the position of the run");
         const Vector3d home_axis = space_.tool_axis(space_.home());
         if (space_.rotary_count() == 0 && (motion_.linear() * home_axis - home_axis).norm() > kAxisTolerance)
             return error(
-                "it would lean, and the machine has no rotary axis that leans its tool or its table");
+                "it would be tilted, but the machine has no rotary axis that tilts its tool or its table");
         const WorkFrame& root_frame = program_.paths[program_.root].frame;
         const auto is_root_frame = [&](const WorkFrame& frame) {
             return frame.touches.empty() && (frame.name.empty() || frame.name == root_frame.name);
@@ -115,7 +116,7 @@ class PathTransformer {
                 const auto* sub_path_call = std::get_if<SubPath>(&target);
                 all = all && (sub_path_call == nullptr || is_root_frame(sub_path_call->frame));
             }
-            if (!all) return error("it is in several work frames, or finds them by touches");
+            if (!all) return error("it is in several work frames, or measures them by touches");
         }
         return std::nullopt;
     }
@@ -130,9 +131,8 @@ class PathTransformer {
         }
     }
 
-    /// Returns why it cannot be turned.
-    std::optional<std::string> turn(Point& point, bool& is_axis_known) const {
-        if (!has_rotation_ || !point.orientation) return std::nullopt;
+    Result<void> turn(Point& point, bool& is_axis_known) const {
+        if (!has_rotation_ || !point.orientation) return {};
         if (auto* axis = std::get_if<ToolAxis>(&*point.orientation)) {
             axis->direction = turned(axis->direction);
         } else if (auto* rpy = std::get_if<RollPitchYaw>(&*point.orientation)) {
@@ -140,20 +140,22 @@ class PathTransformer {
         } else {
             return rotate_orientation(point, is_axis_known);
         }
-        return std::nullopt;
+        return {};
     }
 
-    std::optional<std::string> rotate_orientation(Point& point, bool& is_axis_known) const {
+    Result<void> rotate_orientation(Point& point, bool& is_axis_known) const {
         auto& values = std::get<RotaryAxes>(*point.orientation);
         const auto error = [&](std::string letters) {
-            return fmt::format(
-                "the path cannot be turned: the point should say where the rotary axes {} stand", letters);
+            return Unexpected(fmt::format(
+                "the path cannot be rotated: the point must define the positions of the rotary axes {}",
+                letters));
         };
         if (axis_) {
             const auto named = values.find(axis_->letter);
             if (named != values.end()) named->second += axis_->angle_deg;
             is_axis_known = is_axis_known || named != values.end();
-            return is_axis_known ? std::nullopt : std::optional(error(std::string(1, axis_->letter)));
+            if (!is_axis_known) return error(std::string(1, axis_->letter));
+            return {};
         }
         AxisValues rotary = space_.home_rotary();
         for (std::size_t i = 0; i < space_.rotary_count(); ++i) {
@@ -163,7 +165,7 @@ class PathTransformer {
         }
         const Vector3d axis = space_.tool_axis(space_.axes(to_eigen(point.position_mm), rotary));
         point.orientation = ToolAxis{turned(to_vector(axis))};
-        return std::nullopt;
+        return {};
     }
 
     std::string letters() const {
@@ -193,7 +195,8 @@ class PathTransformer {
 
 }  // namespace
 
-tl::expected<void, Error> place(Program& program, const rrs::CartPos& motion, const MachineSpace& space) {
+tl::expected<void, TargetError> place(Program& program, const rrs::CartPos& motion,
+                                      const MachineSpace& space) {
     if (motion.isApprox(rrs::CartPos::Identity(), 0)) return {};
     return PathTransformer(program, motion, space).run();
 }

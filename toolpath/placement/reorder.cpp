@@ -13,7 +13,7 @@ namespace gsim::path {
 
 namespace {
 
-using OrderError = tl::unexpected<Error>;
+using OrderError = tl::unexpected<TargetError>;
 
 /// Returns the first point of a path, also of sub-paths that it begins with; null if it begins with no point.
 const Point* first_point(const Program& program, std::size_t path) {
@@ -54,28 +54,30 @@ bool is_non_modal(const std::string& action) {
 }
 
 /// Returns the effect of a target that lasts after the path, and is not compared.
-std::optional<std::string> modal_error(const Target& target) {
+std::optional<Error> find_modal_error(const Target& target) {
     for (const std::string& action : target_actions(target)) {
-        if (!is_non_modal(action)) return fmt::format("'{}' may hold on, so that the order counts", action);
+        if (!is_non_modal(action))
+            return fmt::format("'{}' may remain active, so that the order matters", action);
     }
     const auto* point = std::get_if<Point>(&target);
     if (point == nullptr) return std::nullopt;
-    if (point->acceleration_mm_s2) return "an acceleration holds on, so that the order counts";
-    if (point->feed_deg_min) return "a feed of rotary axes holds on, so that the order counts";
+    if (point->acceleration_mm_s2) return "an acceleration remains active, so that the order matters";
+    if (point->feed_deg_min) return "a feed of rotary axes remains active, so that the order matters";
     return std::nullopt;
 }
 
-std::optional<Error> find_modal_action(const Program& program) {
+std::optional<TargetError> find_modal_action(const Program& program) {
     for (std::size_t path = 0; path < program.paths.size(); ++path) {
         for (std::size_t i = 0; i < program.paths[path].targets.size(); ++i) {
-            if (auto error = modal_error(program.paths[path].targets[i])) return Error{{path, i}, *error};
+            if (auto error = find_modal_error(program.paths[path].targets[i]))
+                return TargetError{{path, i}, error->message};
         }
     }
     return std::nullopt;
 }
 
 /// Returns true if an orientation sets the value of each rotary axis.
-bool is_whole(const std::optional<Orientation>& orientation, const MachineSpace& space) {
+bool sets_all_rotary_axes(const std::optional<Orientation>& orientation, const MachineSpace& space) {
     if (space.rotary_count() == 0) return true;
     if (!orientation) return false;
     const auto* rotary = std::get_if<RotaryAxes>(&*orientation);
@@ -109,40 +111,38 @@ bool starts_equivalent(const State& one, const State& other) {
 }
 
 /// Returns why a target of the root cannot be at another position.
-std::optional<std::string> reorder_error(const Program& program, const Target& target,
-                                         const MachineSpace& space) {
+std::optional<Error> find_reorder_error(const Program& program, const Target& target,
+                                        const MachineSpace& space) {
     const auto* sub_path_call = std::get_if<SubPath>(&target);
-    if (sub_path_call == nullptr) return "what is put in another order must be sub-paths";
+    if (sub_path_call == nullptr) return "only sub-paths can be reordered";
     const std::string& name = program.paths[sub_path_call->path].name;
     const Point* first = first_point(program, sub_path_call->path);
     if (first == nullptr || first->motion == MotionType::circular || first->motion == MotionType::none)
-        return fmt::format("the sub-path '{}' should begin with a straight motion or a rapid", name);
-    if (!is_whole(first->orientation, space))
-        return fmt::format(
-            "the first point of the sub-path '{}' should have an orientation of its own, with all rotary "
-            "axes",
-            name);
+        return fmt::format("the sub-path '{}' must begin with a straight motion or a rapid", name);
+    if (!sets_all_rotary_axes(first->orientation, space))
+        return fmt::format("the first point of the sub-path '{}' needs an orientation with all rotary axes",
+                           name);
     bool known = false;
     if (!has_explicit_feed(program, sub_path_call->path, known))
-        return fmt::format("the sub-path '{}' should have a feed of its own before it cuts", name);
+        return fmt::format("the sub-path '{}' needs a separate feed before it cuts", name);
     return std::nullopt;
 }
 
 }  // namespace
 
-tl::expected<void, Error> reorder(Program& program, std::span<const std::size_t> order,
-                                  const MachineSpace& space) {
+tl::expected<void, TargetError> reorder(Program& program, std::span<const std::size_t> order,
+                                        const MachineSpace& space) {
     const std::vector<Target> targets = program.paths[program.root].targets;
     const auto make_error = [&](std::optional<std::size_t> target, std::string reason) {
-        return OrderError(Error{{program.root, target}, std::move(reason)});
+        return OrderError(TargetError{{program.root, target}, std::move(reason)});
     };
     std::vector<std::size_t> all(targets.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     if (!std::is_permutation(order.begin(), order.end(), all.begin(), all.end()))
         return make_error(std::nullopt,
-                          fmt::format("the order should have each of 0 to {} once", targets.size() - 1));
+                          fmt::format("the order must contain each of 0 to {} once", targets.size() - 1));
     for (const std::size_t i : all) {
-        if (auto error = reorder_error(program, targets[i], space)) return make_error(i, *error);
+        if (auto error = find_reorder_error(program, targets[i], space)) return make_error(i, error->message);
     }
     if (auto error = find_modal_action(program)) return OrderError(*std::move(error));
     const States before(program);
@@ -152,7 +152,7 @@ tl::expected<void, Error> reorder(Program& program, std::span<const std::size_t>
     for (const std::size_t i : all) {
         const std::size_t path = std::get<SubPath>(targets[i]).path;
         if (!starts_equivalent(before.entry(path), states_after.entry(path)))
-            return make_error(i, fmt::format("the sub-path '{}' begins with something else running there",
+            return make_error(i, fmt::format("the sub-path '{}' would begin with a different active state",
                                              program.paths[path].name));
     }
     program = std::move(changed);

@@ -19,7 +19,7 @@ std::set<std::string> PathSetup::frames() const {
     return active_frame_ ? std::set{*active_frame_} : states_.frames(path_);
 }
 
-std::optional<Error> PathSetup::before(std::size_t target, const State& at) {
+std::optional<TargetError> PathSetup::before(std::size_t target, const State& at) {
     target_ = target;
     const Path& path = program_.paths[path_];
     const auto* sub_path_call = std::get_if<SubPath>(&path.targets[target]);
@@ -48,23 +48,23 @@ bool PathSetup::ends_in_other_frame(const SubPath& sub_path_call) const {
     }
 }
 
-std::optional<Error> PathSetup::finish(const State& at) {
+std::optional<TargetError> PathSetup::finish(const State& at) {
     target_ = std::nullopt;
     return change(states_.entry(path_).frame, std::nullopt, at);
 }
 
-std::optional<Error> PathSetup::change(const Inherited<std::string>& frame, const std::optional<Tool>& tool,
-                                       const State& at) {
+std::optional<TargetError> PathSetup::change(const Inherited<std::string>& frame,
+                                             const std::optional<Tool>& tool, const State& at) {
     if (frame.differs() && active_frame_)
         return make_error(
-            "the path needs its own 'work_offset': it goes back to it behind a sub-path in another one, "
-            "and the places that use it hand over different ones");
+            "the path needs a separate 'work_offset': it is restored after a sub-path in another one, and "
+            "the uses of the path have different ones");
     const std::string name = frame.value().value_or("");
     const bool is_other_frame = !name.empty() && name != active_frame_;
     const bool is_other_tool = tool && at.tool.value() != tool;
     if (!is_other_frame && !is_other_tool) return std::nullopt;
     if (jet_ && at.process_on.value() != false)
-        return make_error("the jet may be on where the tool or the work offset changes; turn it off before");
+        return make_error("the jet may be on at a change of the tool or the work offset; turn it off before");
     needs_rapid_ = needs_rapid_ || is_position_set(at);
     if (needs_rapid_ || is_other_tool) sink_.retract();
     if (is_other_tool) {
@@ -77,9 +77,9 @@ std::optional<Error> PathSetup::change(const Inherited<std::string>& frame, cons
     return std::nullopt;
 }
 
-std::optional<Error> PathSetup::change_tool(const Tool& tool, const State& at) {
+std::optional<TargetError> PathSetup::change_tool(const Tool& tool, const State& at) {
     const auto restored = restore_actions(at.active_modes, stops_);
-    if (!restored) return make_error(restored.error());
+    if (!restored) return make_error(restored.error().message);
     sink_.action(fmt::format("tool_select T{}", tool.number));
     sink_.action(fmt::format("tool_change T{}", tool.number));
     for (const std::string& each : *restored) sink_.action(each);
@@ -90,16 +90,15 @@ std::optional<Error> PathSetup::change_tool(const Tool& tool, const State& at) {
 }
 
 // Requires a rapid, because the motion from the retract height to the work is not part of the path.
-std::optional<Error> PathSetup::require_rapid(const TargetId& id) const {
+std::optional<TargetError> PathSetup::require_rapid(const TargetId& id) const {
     const Target& target = program_.paths[id.path].targets[*id.target];
     if (const auto* sub_path_call = std::get_if<SubPath>(&target))
         return require_rapid({sub_path_call->path, 0});
     const auto* point = std::get_if<Point>(&target);
     if (point == nullptr || point->motion == MotionType::rapid) return std::nullopt;
-    return Error{
-        id,
-        "the first motion in another work offset or with another tool must be a rapid: the tool comes "
-        "to it from above"};
+    return TargetError{id,
+                       "the first motion in another work offset or with another tool must be a rapid: the "
+                       "tool approaches from above"};
 }
 
 }  // namespace gsim::path

@@ -25,19 +25,19 @@ class PathSetup {
     }
 
     /// Prepares a target of the path; `at` is the state before it, without its tool.
-    std::optional<Error> before(std::size_t target, const State& at);
+    std::optional<TargetError> before(std::size_t target, const State& at);
     /// Finishes after the last target of a sub-path.
-    std::optional<Error> finish(const State& at);
+    std::optional<TargetError> finish(const State& at);
     /// Returns the frames that the following targets may be in.
     std::set<std::string> frames() const;
 
   private:
-    std::optional<Error> change(const Inherited<std::string>& frame, const std::optional<Tool>& tool,
-                                const State& at);
-    std::optional<Error> change_tool(const Tool& tool, const State& at);
-    std::optional<Error> require_rapid(const TargetId& id) const;
+    std::optional<TargetError> change(const Inherited<std::string>& frame, const std::optional<Tool>& tool,
+                                      const State& at);
+    std::optional<TargetError> change_tool(const Tool& tool, const State& at);
+    std::optional<TargetError> require_rapid(const TargetId& id) const;
     bool ends_in_other_frame(const SubPath& sub_path_call) const;
-    Error make_error(std::string message) const { return {{path_, target_}, std::move(message)}; }
+    TargetError make_error(std::string message) const { return {{path_, target_}, std::move(message)}; }
 
     const Program& program_;
     const States& states_;

@@ -37,8 +37,8 @@ int turns_per_block(const ArcShape& arc, const MoveOptions& options) {
     const double turns = arc.turn_rad / kFullTurn_rad;
     if (!options.multi_turn_arcs) return 1;
     if (closes(arc, turns)) return static_cast<int>(std::round(turns));
-    const bool nearly_closes = gap_mm(arc, turns) < kMinSteps * options.resolution_mm;
-    return nearly_closes ? 1 : static_cast<int>(std::ceil(turns));
+    const bool is_nearly_closed = gap_mm(arc, turns) < kMinSteps * options.resolution_mm;
+    return is_nearly_closed ? 1 : static_cast<int>(std::ceil(turns));
 }
 
 // Halves an arc that nearly closes, because rounding might close it.
@@ -46,8 +46,8 @@ int planar_block_count(const ArcShape& arc, const MoveOptions& options) {
     const double turns = arc.turn_rad / kFullTurn_rad;
     const int parts = std::max(1, static_cast<int>(std::ceil(turns - 1e-9)));
     const double share = turns / parts;
-    const bool nearly_closes = share > 0.5 && gap_mm(arc, share) < kMinSteps * options.resolution_mm;
-    return nearly_closes && !closes(arc, share) ? 2 * parts : parts;
+    const bool is_nearly_closed = share > 0.5 && gap_mm(arc, share) < kMinSteps * options.resolution_mm;
+    return is_nearly_closed && !closes(arc, share) ? 2 * parts : parts;
 }
 
 // Halves an arc that nearly closes, if it would leave the tolerance. Its printed ends say little about its

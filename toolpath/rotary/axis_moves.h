@@ -101,7 +101,7 @@ class AxisMoves {
           jet_(has_jet(program)) {}
 
     /// Writes all of one path that the root leads to. Sub-paths are calls.
-    tl::expected<void, Error> run(std::size_t path, MoveSink& sink) const;
+    tl::expected<void, TargetError> run(std::size_t path, MoveSink& sink) const;
 
   private:
     const Program& program_;

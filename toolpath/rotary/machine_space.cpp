@@ -46,7 +46,7 @@ AxisValues pair(double first, double second) {
 
 }  // namespace
 
-tl::expected<MachineSpace, std::string> MachineSpace::make(const machine::Machine& machine) {
+Result<MachineSpace> MachineSpace::make(const machine::Machine& machine) {
     MachineSpace space(machine);
     std::size_t linear_count = 0;
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
@@ -59,14 +59,15 @@ tl::expected<MachineSpace, std::string> MachineSpace::make(const machine::Machin
         }
     }
     if (linear_count != 3) {
-        return tl::unexpected(fmt::format(
-            "the machine '{}' lacks linear axes X, Y and Z, by which programs of a path place the tool",
-            machine.name));
+        return Unexpected(
+            fmt::format("the machine '{}' lacks the linear axes X, Y and Z, by which programs of a path "
+                        "position the tool",
+                        machine.name));
     }
     space.kinematics_ = machine::make_kinematics(machine);
     space.analyze();
     if (std::abs(space.to_linear_.determinant()) < 0.5 || !space.to_linear_.allFinite()) {
-        return tl::unexpected(fmt::format(
+        return Unexpected(fmt::format(
             "X, Y and Z of the machine '{}' do not move the tool in three directions", machine.name));
     }
     return space;
@@ -185,9 +186,9 @@ rrs::CartPos MachineSpace::tool_pose(const Vector3d& tcp_mm, const Orientation& 
     return pose;
 }
 
-tl::expected<std::vector<AxisValues>, std::string> MachineSpace::solve_rotary(const Vector& tcp_mm,
-                                                                              const Orientation& orientation,
-                                                                              const AxisValues& near) const {
+Result<std::vector<AxisValues>> MachineSpace::solve_rotary(const Vector& tcp_mm,
+                                                           const Orientation& orientation,
+                                                           const AxisValues& near) const {
     const Vector3d tcp = to_eigen(tcp_mm);
     std::vector<AxisValues> starts;
     starts.reserve(3);
@@ -216,7 +217,7 @@ tl::expected<std::vector<AxisValues>, std::string> MachineSpace::solve_rotary(co
     return found;
 }
 
-std::string MachineSpace::axis_range_error(const AxisValues& axes) const {
+std::optional<Error> MachineSpace::find_axis_range_error(const AxisValues& axes) const {
     for (Eigen::Index i = 0; i < axes.size(); ++i) {
         const machine::Axis& axis = machine_->axes[static_cast<std::size_t>(i)];
         if (axes[i] >= axis.min - kRangeTolerance && axes[i] <= axis.max + kRangeTolerance) continue;
@@ -227,21 +228,22 @@ std::string MachineSpace::axis_range_error(const AxisValues& axes) const {
     return {};
 }
 
-std::string MachineSpace::axis_range_error(AxisValues axes, const std::optional<Vector>& origin_mm) const {
+std::optional<Error> MachineSpace::find_axis_range_error(AxisValues axes,
+                                                         const std::optional<Vector>& origin_mm) const {
     const AxisValues at_home = home();
     for (std::size_t i = 0; i < linear_.size(); ++i) {
         const auto axis = static_cast<Eigen::Index>(linear_[i]);
         axes[axis] = origin_mm ? axes[axis] + (*origin_mm)[i] : at_home[axis];
     }
-    return axis_range_error(axes);
+    return find_axis_range_error(axes);
 }
 
-std::string MachineSpace::axis_range_error(const std::map<char, double>& axes) const {
+std::optional<Error> MachineSpace::find_axis_range_error(const std::map<char, double>& axes) const {
     AxisValues values = home();
     for (const auto& [letter, value] : axes) {
         if (const auto axis = machine_->find(letter)) values[static_cast<Eigen::Index>(*axis)] = value;
     }
-    return axis_range_error(values);
+    return find_axis_range_error(values);
 }
 
 std::optional<double> MachineSpace::max_z_mm() const {

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "machine/model/machine.h"
 #include "toolpath/model/path.h"
 
@@ -20,8 +19,8 @@ using AxisValues = rrs::JointPos;
 /// Machine as a path sees it: three linear axes X, Y and Z position the TCP, rotary axes turn the tool.
 class MachineSpace {
   public:
-    /// Makes it; `machine` must outlive this. The error is a message.
-    static tl::expected<MachineSpace, std::string> make(const machine::Machine& machine);
+    /// Makes it; `machine` must outlive this.
+    static Result<MachineSpace> make(const machine::Machine& machine);
 
     const machine::Machine& machine() const { return *machine_; }
     std::size_t rotary_count() const { return rotary_.size(); }
@@ -44,18 +43,17 @@ class MachineSpace {
 
     /// Returns rotary values for a tool axis or a full orientation with the TCP there. These are the results
     /// of the inverse kinematics near `near` and near its mirror images (turning axis half a turn further,
-    /// tilt in the other direction). Full turns are as they come. The error is a message.
-    tl::expected<std::vector<AxisValues>, std::string> solve_rotary(const Vector& tcp_mm,
-                                                                    const Orientation& orientation,
-                                                                    const AxisValues& near) const;
+    /// tilt in the other direction). Full turns are as they come.
+    Result<std::vector<AxisValues>> solve_rotary(const Vector& tcp_mm, const Orientation& orientation,
+                                                 const AxisValues& near) const;
 
-    /// Returns a message about an axis out of its range; empty if all are within.
-    std::string axis_range_error(const AxisValues& axes) const;
+    /// Returns an error if an axis is out of its range.
+    std::optional<Error> find_axis_range_error(const AxisValues& axes) const;
     /// Returns the same for values that are counted from another origin of X, Y and Z; without it those of X,
     /// Y and Z are not checked.
-    std::string axis_range_error(AxisValues axes, const std::optional<Vector>& origin_mm) const;
+    std::optional<Error> find_axis_range_error(AxisValues axes, const std::optional<Vector>& origin_mm) const;
     /// Returns the same for machine coordinates of some axes, by letter.
-    std::string axis_range_error(const std::map<char, double>& axes) const;
+    std::optional<Error> find_axis_range_error(const std::map<char, double>& axes) const;
     /// Returns the end of Z above the work; nullopt if it has none.
     std::optional<double> max_z_mm() const;
 

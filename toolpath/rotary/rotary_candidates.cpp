@@ -40,14 +40,14 @@ std::vector<double> in_range(const machine::Axis& axis, double value, double nea
 }
 
 // Leaves axes that are not named unchanged.
-tl::expected<AxisValues, std::string> given_values(const MachineSpace& space, const RotaryAxes& given,
-                                                   const AxisValues& before) {
+Result<AxisValues> specified_values(const MachineSpace& space, const RotaryAxes& given,
+                                    const AxisValues& before) {
     AxisValues values = before;
     for (const auto& [letter, value_deg] : given) {
         std::size_t axis = 0;
         while (axis < space.rotary_count() && space.rotary_axis(axis).letter != letter) ++axis;
         if (axis == space.rotary_count()) {
-            return tl::unexpected(
+            return Unexpected(
                 fmt::format("the machine '{}' has no rotary axis {}", space.machine().name, letter));
         }
         values[static_cast<Eigen::Index>(axis)] = value_deg;
@@ -56,7 +56,7 @@ tl::expected<AxisValues, std::string> given_values(const MachineSpace& space, co
 }
 
 std::string out_of_range(const MachineSpace& space, const AxisValues& values) {
-    std::string text = "out of reach: no whole turn brings";
+    std::string text = "out of reach: no full turn brings";
     for (std::size_t i = 0; i < space.rotary_count(); ++i) {
         const machine::Axis& axis = space.rotary_axis(i);
         text += fmt::format("{} {} {:.6g} into {:.6g} to {:.6g}", i == 0 ? "" : " and", axis.letter,
@@ -94,11 +94,9 @@ void add_full_turns(const MachineSpace& space, const AxisValues& values, const A
     for (const AxisValues& each : partial_solutions) add_unique(out, each);
 }
 
-tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const MachineSpace& space,
-                                                                     const Vector& tcp_mm,
-                                                                     const Orientation& orientation,
-                                                                     const std::vector<AxisValues>& before,
-                                                                     bool is_literal) {
+Result<std::vector<AxisValues>> rotary_candidates(const MachineSpace& space, const Vector& tcp_mm,
+                                                  const Orientation& orientation,
+                                                  const std::vector<AxisValues>& before, bool is_literal) {
     std::vector<AxisValues> found;
     std::vector<AxisValues> checked_bodies;
     std::optional<AxisValues> unreachable;
@@ -112,7 +110,7 @@ tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const Machi
         checked_bodies.push_back(near);
         std::vector<AxisValues> solutions;
         if (const auto* given = std::get_if<RotaryAxes>(&orientation)) {
-            const auto values = given_values(space, *given, near);
+            const auto values = specified_values(space, *given, near);
             if (!values) return tl::unexpected(values.error());
             if (is_literal) {
                 add_unique(found, *values);

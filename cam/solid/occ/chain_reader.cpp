@@ -23,8 +23,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kMaxRotation_rad = 10 * kRadPerDeg;  // from one point of another edge to the next
 
 class ChainReader {
@@ -32,18 +30,18 @@ class ChainReader {
     ChainReader(const ShapeFile& file, const ContourOptions& options)
         : file_(file), options_(options), selection_(file, options.edges) {}
 
-    tl::expected<WallContours, std::string> run(const Bodies& bodies) {
+    Result<WallContours> run(const Bodies& bodies) {
         for (const TopoDS_Solid& solid : bodies.solids) {
             if (auto result = add(solid); !result) return Unexpected(result.error());
         }
         if (auto error = selection_.find_error()) return Unexpected(*std::move(error));
-        if (found_.contours.empty()) return Unexpected("no edge is asked for");
+        if (found_.contours.empty()) return Unexpected("no edge is selected");
         return std::move(found_);
     }
 
   private:
-    tl::expected<void, std::string> add(const TopoDS_Solid& solid) {
-        const std::vector<TopoDS_Edge> edges = selection_.find_in(solid);
+    Result<void> add(const TopoDS_Solid& solid) {
+        const std::vector<TopoDS_Edge> edges = selection_.find_edges_in(solid);
         if (edges.empty()) return {};
         EdgeFaceMap edge_faces;
         TopExp::MapShapesAndUniqueAncestors(solid, TopAbs_EDGE, TopAbs_FACE, edge_faces);
@@ -66,20 +64,18 @@ class ChainReader {
     }
 
     // Uses the one of the edge's two faces that faces the side most, of those below which a jet could pass.
-    tl::expected<ChainEdge, std::string> trace_edge(const ContourTracer& walk, const TopoDS_Edge& edge,
-                                                    const EdgeFaceMap& edge_faces,
-                                                    std::vector<TopoDS_Face>& entry_faces) const {
+    Result<ChainEdge> trace_edge(const ContourTracer& walk, const TopoDS_Edge& edge,
+                                 const EdgeFaceMap& edge_faces, std::vector<TopoDS_Face>& entry_faces) const {
         const std::string begin =
             fmt::format("edge {} at {}", file_.label(edge), display_text(edge_middle(edge)));
         if (options_.box_mm && !is_within_box({edge}, *options_.box_mm))
-            return Unexpected(begin + " does not lie in the box (--box-low, --box-high)");
+            return Unexpected(begin + " is not in the box (--box-low, --box-high)");
         std::vector<std::pair<double, TopoDS_Face>> candidates;
         for (const TopoDS_Shape& each : edge_faces.FindFromKey(edge)) {
             const TopoDS_Face& face = TopoDS::Face(each);
             if (is_requested(face)) candidates.emplace_back(facing_component(edge, face), face);
         }
-        if (candidates.empty())
-            return Unexpected(begin + " is of none of the faces that were chosen (--face)");
+        if (candidates.empty()) return Unexpected(begin + " does not belong to a selected face (--face)");
         std::stable_sort(candidates.begin(), candidates.end(),
                          [](const auto& a, const auto& b) { return a.first > b.first; });
         std::string reason;
@@ -91,10 +87,10 @@ class ChainReader {
                 return found;
             }
             if (reason.empty())
-                reason = fmt::format("from {} it {}", display_text(face, file_), found.error());
+                reason = fmt::format("from {} it {}", display_text(face, file_), found.error().message);
         }
         if (reason.empty()) {
-            reason = fmt::format("no face beside it looks there: {}",
+            reason = fmt::format("no adjacent face faces this side: {}",
                                  display_text(candidates.front().second, file_));
             if (candidates.size() > 1)
                 reason += fmt::format(", {}", display_text(candidates.back().second, file_));
@@ -130,15 +126,14 @@ class ChainReader {
         return sense * sum / kShares.size();
     }
 
-    tl::expected<void, std::string> add_contour(const EdgeChain& chain,
-                                                const std::vector<ChainEdge>& chain_edges,
-                                                const std::vector<TopoDS_Face>& entry_faces) {
+    Result<void> add_contour(const EdgeChain& chain, const std::vector<ChainEdge>& chain_edges,
+                             const std::vector<TopoDS_Face>& entry_faces) {
         WallContour contour{.face = display_text(entry_faces[chain.edges.front()], file_)};
         for (const std::size_t edge : chain.edges) contour.edges.push_back(chain_edges[edge].edge);
         contour.is_open = !chain.is_closed;
         contour.is_hole = chain.is_closed && is_hole(contour);
         if (const auto blind = ContourTracer::find_blind_wall(contour))
-            return Unexpected(fmt::format("a chain of edges of {} {}", contour.face, *blind));
+            return Unexpected(fmt::format("a chain of edges of {} {}", contour.face, blind->message));
         found_.contours.push_back(std::move(contour));
         return {};
     }
@@ -189,8 +184,8 @@ class ChainReader {
 
 }  // namespace
 
-tl::expected<WallContours, std::string> extract_chains(const ShapeFile& file, const Bodies& bodies,
-                                                       const ContourOptions& options) {
+Result<WallContours> extract_chains(const ShapeFile& file, const Bodies& bodies,
+                                    const ContourOptions& options) {
     return ChainReader(file, options).run(bodies);
 }
 

@@ -24,8 +24,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 // A loop that may be cut.
 struct Candidate {
     TopoDS_Face face;
@@ -51,7 +49,7 @@ class ContourReader {
     ContourReader(const ShapeFile& file, const ContourOptions& options)
         : file_(file), options_(options), edges_(file, options.edges) {}
 
-    tl::expected<WallContours, std::string> run(const Bodies& bodies) {
+    Result<WallContours> run(const Bodies& bodies) {
         for (const TopoDS_Solid& solid : bodies.solids) {
             if (auto result = add(solid); !result) return Unexpected(result.error());
         }
@@ -78,22 +76,21 @@ class ContourReader {
         return any;
     }
 
-    tl::expected<void, std::string> add(const TopoDS_Solid& solid) {
+    Result<void> add(const TopoDS_Solid& solid) {
         EdgeFaceMap edge_faces;
         TopExp::MapShapesAndUniqueAncestors(solid, TopAbs_EDGE, TopAbs_FACE, edge_faces);
         const ContourTracer walk(file_, solid, edge_faces, options_);
-        edges_.find_in(solid);
+        edges_.find_edges_in(solid);
         TopTools_MapOfShape walls;
         for (const Candidate& candidate : candidates(solid)) {
             // A face along which the jet cuts is not entered as well.
             if (options_.faces.empty() && walls.Contains(candidate.face)) continue;
             auto contour = walk.walk(candidate.face, candidate.loop);
             if (!contour) {
-                if (auto left = leave_out(candidate, contour.error()); !left) return left;
+                if (auto left = leave_out(candidate, contour.error().message); !left) return left;
             } else if (facing_component(*contour, options_.side) <= kMinFacing) {
-                edges_.mark_rejected(
-                    candidate.loop.edges,
-                    fmt::format("it is of one that looks to another side than {}", options_.side));
+                edges_.mark_rejected(candidate.loop.edges,
+                                     fmt::format("it belongs to one that does not face {}", options_.side));
                 if (edges_.accepts_any()) ++other_side_count_;
             } else {
                 if (edges_.accepts(candidate.loop.edges)) found_.contours.push_back(*std::move(contour));
@@ -130,7 +127,7 @@ class ContourReader {
     }
 
     // Reports a loop that is not a contour, or returns an error if its face was requested.
-    tl::expected<void, std::string> leave_out(const Candidate& candidate, const std::string& reason) {
+    Result<void> leave_out(const Candidate& candidate, const std::string& reason) {
         if (!is_facing(candidate.face)) return {};
         std::string message = fmt::format("{} of {} {}", candidate.loop.is_hole ? "a hole" : "the outline",
                                           display_text(candidate.face, file_), reason);
@@ -153,18 +150,18 @@ class ContourReader {
     void record_standstill(const Bodies& bodies) {
         for (const std::string& message : skipped_) found_.notes.push_back(message + "; it is not cut");
         if (other_side_count_ > 0) {
-            found_.notes.push_back(fmt::format("{} contours look to another side than {}, and are not cut",
-                                               other_side_count_, options_.side));
+            found_.notes.push_back(
+                fmt::format("{} contours do not face {}, and are not cut", other_side_count_, options_.side));
         }
         if (!bodies.faces.empty())
             found_.notes.push_back(
-                fmt::format("{} surfaces beside the bodies are left out", bodies.faces.size()));
+                fmt::format("{} surfaces that are not part of a body are ignored", bodies.faces.size()));
     }
 
     std::string nothing_found_message() const {
         if (!skipped_.empty()) return skipped_.front();
         return fmt::format(
-            "no {} of its faces that was chosen looks to {}",
+            "no {} of the selected faces faces {}",
             options_.kind == "all" ? "contour" : options_.kind.substr(0, options_.kind.size() - 1),
             options_.side);
     }
@@ -188,10 +185,9 @@ void set_bounding_box(const Bodies& bodies, WallContours& contours) {
 
 }  // namespace
 
-tl::expected<WallContours, std::string> extract_contours(const ShapeFile& file,
-                                                         const ContourOptions& options) {
+Result<WallContours> extract_contours(const ShapeFile& file, const ContourOptions& options) {
     const Bodies bodies = sort_bodies(file.shape());
-    if (bodies.solids.empty()) return Unexpected("there is no body in it; contours are those of bodies");
+    if (bodies.solids.empty()) return Unexpected("it contains no body; only contours of bodies can be cut");
     auto found = options.kind == "edges" ? extract_chains(file, bodies, options)
                                          : ContourReader(file, options).run(bodies);
     if (found) set_bounding_box(bodies, *found);

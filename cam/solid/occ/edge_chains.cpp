@@ -16,9 +16,9 @@ class EdgeChainer {
   public:
     explicit EdgeChainer(const std::vector<ChainEdge>& edges) : edges_(edges), used_(edges.size()) {}
 
-    tl::expected<std::vector<EdgeChain>, std::string> run() {
+    Result<std::vector<EdgeChain>> run() {
         for (const ChainEdge& edge : edges_) {
-            if (auto error = find_branch(edge.end)) return tl::unexpected(*std::move(error));
+            if (auto error = find_branch_error(edge.end)) return tl::unexpected(*std::move(error));
         }
         std::vector<EdgeChain> chains;
         // Open chains come first, so the remaining ones are closed.
@@ -38,7 +38,7 @@ class EdgeChainer {
         return found;
     }
 
-    std::optional<std::string> find_branch(const TopoDS_Vertex& at) const {
+    std::optional<Error> find_branch_error(const TopoDS_Vertex& at) const {
         const std::size_t ends = count(at, &ChainEdge::end);
         const std::size_t begin_count = count(at, &ChainEdge::begin);
         if (begin_count == 0 || ends + begin_count < 3) return std::nullopt;
@@ -47,7 +47,7 @@ class EdgeChainer {
             if (!edge.begin.IsSame(at) && !edge.end.IsSame(at)) continue;
             names += (names.empty() ? "" : ", ") + edge.edge.name;
         }
-        return fmt::format("a chain of edges has no branches: at {} there are {}",
+        return fmt::format("a chain of edges must not branch: at {} there are {}",
                            display_text(BRep_Tool::Pnt(at)), names);
     }
 
@@ -80,7 +80,7 @@ gp_Vec to_vector(const Vec3& vec) {
 
 }  // namespace
 
-tl::expected<std::vector<EdgeChain>, std::string> chain(const std::vector<ChainEdge>& edges) {
+Result<std::vector<EdgeChain>> chain(const std::vector<ChainEdge>& edges) {
     return EdgeChainer(edges).run();
 }
 

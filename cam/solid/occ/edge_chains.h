@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/solid/occ/wall_contour.h"
 
 namespace gsim::solid {
@@ -15,7 +14,7 @@ struct EdgeChain {
 };
 
 /// Joins edges if the end of one is the beginning of another. The error is a message: three edges that meet.
-tl::expected<std::vector<EdgeChain>, std::string> chain(const std::vector<ChainEdge>& edges);
+Result<std::vector<EdgeChain>> chain(const std::vector<ChainEdge>& edges);
 
 /// Returns true if a closed chain has its waste inside: seen from outside, it runs clockwise.
 bool is_hole(const WallContour& closed);

@@ -40,7 +40,7 @@ bool EdgeSelection::is_requested(const std::string& label) const {
                        [&](const std::string& number) { return is_number(label, number); });
 }
 
-std::vector<TopoDS_Edge> EdgeSelection::find_in(const TopoDS_Shape& body) {
+std::vector<TopoDS_Edge> EdgeSelection::find_edges_in(const TopoDS_Shape& body) {
     std::vector<TopoDS_Edge> edges;
     if (accepts_any()) return edges;
     TopTools_IndexedMapOfShape all;
@@ -72,7 +72,7 @@ void EdgeSelection::mark_rejected(const std::vector<TopoDS_Edge>& edges, const s
     }
 }
 
-std::optional<std::string> EdgeSelection::find_error() const {
+std::optional<Error> EdgeSelection::find_error() const {
     for (const std::string& number : numbers_) {
         std::vector<EdgeMatch> named;
         std::copy_if(found_.begin(), found_.end(), std::back_inserter(named),
@@ -80,7 +80,8 @@ std::optional<std::string> EdgeSelection::find_error() const {
         if (named.empty()) return fmt::format("it has no edge with the number '{}'", number);
         if (std::any_of(named.begin(), named.end(), [](const EdgeMatch& each) { return each.is_cut; }))
             continue;
-        const std::string none = fmt::format("edge {} is of no contour that is chosen", named.front().label);
+        const std::string none =
+            fmt::format("edge {} does not belong to a selected contour", named.front().label);
         const std::string& reason = named.front().error;
         return reason.empty() ? none : fmt::format("{}: {}", none, reason);
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "cam/solid/occ/shape_file.h"
 
 namespace gsim::solid {
@@ -23,14 +24,14 @@ class EdgeSelection {
     /// Returns true if none is requested, so any edge is accepted.
     bool accepts_any() const { return numbers_.empty(); }
     /// Searches for them in a body, and returns those found.
-    std::vector<TopoDS_Edge> find_in(const TopoDS_Shape& body);
+    std::vector<TopoDS_Edge> find_edges_in(const TopoDS_Shape& body);
     /// Returns true if one of them is among these, or any is accepted.
     bool accepts(const std::vector<TopoDS_Edge>& edges) const;
     void mark_cut(const std::vector<TopoDS_Edge>& edges);
     /// Stores the message why a contour of these edges is not cut.
     void mark_rejected(const std::vector<TopoDS_Edge>& edges, const std::string& reason);
-    /// Returns a message about the first one that is not in the file or not on a contour that is cut.
-    std::optional<std::string> find_error() const;
+    /// Returns an error for the first one that is not in the file or not on a contour that is cut.
+    std::optional<Error> find_error() const;
 
   private:
     struct EdgeMatch {

@@ -16,24 +16,24 @@ std::string_view trim_end(std::string_view text) {
 }
 
 // ISO 10303-21, clause 5: comments are allowed before the first word and after the last one.
-std::optional<std::string> find_step_error(std::string_view text) {
+std::optional<Error> find_step_error(std::string_view text) {
     if (text.substr(0, 1000).find("ISO-10303-21") == std::string_view::npos)
-        return "this is no STEP file: 'ISO-10303-21;' does not stand at its beginning";
+        return "this is not a STEP file: it does not begin with 'ISO-10303-21;'";
     const std::size_t tail = text.size() - std::min<std::size_t>(text.size(), 1000);
     if (text.substr(tail).find("END-ISO-10303-21") == std::string_view::npos)
-        return "the file is cut off: 'END-ISO-10303-21;' does not stand at its end";
+        return "the file is truncated: it does not end with 'END-ISO-10303-21;'";
     return std::nullopt;
 }
 
 // IGES 5.3, 2.2: lines of 80 columns, the section's letter in column 73; S comes first and T last.
-std::optional<std::string> find_iges_error(std::string_view text) {
+std::optional<Error> find_iges_error(std::string_view text) {
     const std::string_view first = text.substr(0, text.find('\n'));
     if (first.size() <= kIgesSectionColumn || first[kIgesSectionColumn] != 'S')
-        return "this is no IGES file (fixed format): the first line has no 'S' in column 73";
+        return "this is not an IGES file (fixed format): the first line has no 'S' in column 73";
     const std::size_t line = text.find_last_of('\n');
     const std::string_view last = line == std::string_view::npos ? text : text.substr(line + 1);
     if (last.size() <= kIgesSectionColumn || last[kIgesSectionColumn] != 'T')
-        return "the file is cut off: the last line has no 'T' in column 73";
+        return "the file is truncated: the last line has no 'T' in column 73";
     return std::nullopt;
 }
 
@@ -46,12 +46,12 @@ FileFormat format_by_name(std::string_view name) {
     return iges ? FileFormat::iges : FileFormat::step;
 }
 
-std::optional<std::string> find_file_error(std::string_view text, FileFormat format) {
+std::optional<Error> find_file_error(std::string_view text, FileFormat format) {
     const std::string_view body = trim_end(text);
     if (body.empty()) return "the file is empty";
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
         const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n') + 1;
-        return fmt::format("there is a NUL byte in line {}", line);
+        return fmt::format("line {} contains a NUL byte", line);
     }
     return format == FileFormat::step ? find_step_error(body) : find_iges_error(body);
 }

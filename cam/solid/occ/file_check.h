@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/error.h"
+
 namespace gsim::solid {
 
 enum class FileFormat { step, iges };
@@ -11,8 +13,8 @@ enum class FileFormat { step, iges };
 /// Returns the format by the extension of a file's name.
 FileFormat format_by_name(std::string_view name);
 
-/// Returns a message about an invalid beginning or end of a file, or about NUL bytes in it. It detects files
+/// Returns an error if a file has an invalid beginning or end, or NUL bytes. It detects files
 /// of other formats and truncated files, of which OpenCASCADE reads the available part.
-std::optional<std::string> find_file_error(std::string_view text, FileFormat format);
+std::optional<Error> find_file_error(std::string_view text, FileFormat format);
 
 }  // namespace gsim::solid

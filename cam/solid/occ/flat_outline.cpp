@@ -18,8 +18,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr int kSamplesPerCurve = 9;  // points of a curve that define its position
 
 struct CurveSample {
@@ -76,15 +74,15 @@ std::string edge_name(const ShapeFile& file, const TopoDS_Edge& edge, std::size_
 
 }  // namespace
 
-tl::expected<Plate, std::string> plate_from_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
-                                                   const PlateOptions& options) {
+Result<Plate> plate_from_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
+                                const PlateOptions& options) {
     const std::vector<CurveSample> samples = curve_samples(edges);
     if (samples.empty()) return Unexpected("its curves have no ends");
     const PlateFrame frame = fit_plate_frame(samples, options.flip);
     for (const CurveSample& probe : samples) {
         const double deviation_mm = std::abs(frame.height_mm(probe.point));
         if (deviation_mm <= kHeightTolerance_mm) continue;
-        return Unexpected(fmt::format("the curves do not lie in one plane: curve {} at {} is {:.4g} mm off",
+        return Unexpected(fmt::format("the curves are not in one plane: curve {} at {} deviates by {:.4g} mm",
                                       edge_name(file, edges[probe.edge], probe.edge),
                                       display_text(probe.point), deviation_mm));
     }
@@ -99,12 +97,12 @@ tl::expected<Plate, std::string> plate_from_curves(std::span<const TopoDS_Edge> 
     return plate;
 }
 
-tl::expected<Plate, std::string> plate_from_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
-                                                  const PlateOptions& options) {
+Result<Plate> plate_from_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
+                               const PlateOptions& options) {
     for (const TopoDS_Face& face : faces) {
         if (!face_plane(face))
-            return Unexpected(
-                fmt::format("{} belongs to no closed body and is not plane", display_text(face, file)));
+            return Unexpected(fmt::format("{} does not belong to a closed body and is not planar",
+                                          display_text(face, file)));
     }
     // An edge of two faces is inside the surface.
     TopTools_DataMapOfShapeInteger uses;

@@ -32,7 +32,7 @@ namespace {
 
 using namespace gsim::solid;
 
-using Reply = tl::expected<PacketWriter, std::string>;
+using Reply = gsim::Result<PacketWriter>;
 
 constexpr rlim_t kMaxCpu_s = 600;
 constexpr rlim_t kMaxMemory_bytes = rlim_t{12} << 30U;
@@ -122,16 +122,16 @@ Reply response(std::span<char* const> arguments) {
     if (request == "plate" && arguments.size() > 5)
         return plate_reply(arguments[2],
                            {tolerance_mm, arguments[4] == std::string_view("flip"), arguments[5]});
-    return tl::unexpected(std::string("gsim-solid is of another version than the program that runs it"));
+    return gsim::Unexpected("gsim-solid is of another version than the program that runs it");
 }
 
 Reply guarded_reply(std::span<char* const> arguments) {
     try {
         return response(arguments);
     } catch (const Standard_Failure& error) {
-        return tl::unexpected(fmt::format("OpenCASCADE cannot read it: {}", error.GetMessageString()));
+        return gsim::Unexpected(fmt::format("OpenCASCADE cannot read it: {}", error.GetMessageString()));
     } catch (const std::exception& error) {
-        return tl::unexpected(fmt::format("it cannot be read: {}", error.what()));
+        return gsim::Unexpected(fmt::format("it cannot be read: {}", error.what()));
     }
 }
 
@@ -149,7 +149,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 int main(int argc, char** argv) {
     if (argc < 4 || ::isatty(STDOUT_FILENO) != 0) {
         constexpr std::string_view kUsageText =
-            "gsim-solid reads STEP and IGES files for gsim-run and autopath; it is not made to be called\n";
+            "gsim-solid reads STEP and IGES files for gsim-run and autopath; do not run it directly\n";
         write_all(STDERR_FILENO, kUsageText);
         return 2;
     }
@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
     PacketWriter error;
     if (!reply) {
         error.write_flag(false);
-        error.write_text(reply.error());
+        error.write_text(reply.error().message);
     }
     const bool written = write_all(output, reply ? reply->bytes() : error.bytes());
     // The response is sent. Shutting OpenCASCADE down would take time and could still fail.

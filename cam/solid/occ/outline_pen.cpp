@@ -16,8 +16,6 @@ using geometry::Point;
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kFlatTolerance = 1e-9;  // how far the axis of a circle may lean
 
 std::string curve_kind(GeomAbs_CurveType type) {
@@ -68,22 +66,22 @@ void OutlinePen::draw_fitted(const BRepAdaptor_Curve& curve, double from, double
     }
 }
 
-tl::expected<void, std::string> OutlinePen::check(const Contour& drawn_contour) const {
+Result<void> OutlinePen::check(const Contour& drawn_contour) const {
     if (edges_ > drawing::kMaxEdges)
         return Unexpected(fmt::format("the outlines have more than {} lines and arcs", drawing::kMaxEdges));
     for (const geometry::Vertex& vertex : drawn_contour.vertices) {
         const Point& at = vertex.position;
         const auto is_near = [](double value) { return std::abs(value) <= drawing::kMaxCoordinate_mm; };
         if (is_near(at.x) && is_near(at.y)) continue;  // false for NaN
-        return Unexpected(
-            fmt::format("{} has the point ({}, {}) mm; nothing can be cut further off than {} mm",
-                        display_text(drawing_.entities.back()), at.x, at.y, drawing::kMaxCoordinate_mm));
+        return Unexpected(fmt::format("{} has the point ({}, {}) mm; coordinates must not exceed {} mm",
+                                      display_text(drawing_.entities.back()), at.x, at.y,
+                                      drawing::kMaxCoordinate_mm));
     }
     return {};
 }
 
-tl::expected<void, std::string> OutlinePen::draw(const BRepAdaptor_Curve& curve, double from, double to,
-                                                 const std::string& name, double bevel_deg) {
+Result<void> OutlinePen::draw(const BRepAdaptor_Curve& curve, double from, double to, const std::string& name,
+                              double bevel_deg) {
     Contour drawn_contour;
     source_ = add_entity(curve, name, bevel_deg);
     const bool flat = curve.GetType() == GeomAbs_Circle &&

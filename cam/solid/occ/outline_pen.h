@@ -3,8 +3,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/drawing/drawing.h"
 #include "cam/solid/occ/plate_frame.h"
 
@@ -17,9 +16,9 @@ class OutlinePen {
         : frame_(frame), tolerance_mm_(tolerance_mm), drawing_(drawing) {}
 
     /// Draws a part of a curve between two of its parameters as a separate entity. Lines and circles keep
-    /// their type. The error is a message.
-    tl::expected<void, std::string> draw(const BRepAdaptor_Curve& curve, double from, double to,
-                                         const std::string& name, double bevel_deg);
+    /// their type.
+    Result<void> draw(const BRepAdaptor_Curve& curve, double from, double to, const std::string& name,
+                      double bevel_deg);
 
   private:
     std::uint32_t add_entity(const BRepAdaptor_Curve& curve, const std::string& name, double bevel_deg);
@@ -27,7 +26,7 @@ class OutlinePen {
                      geometry::Contour& drawn_contour) const;
     void draw_fitted(const BRepAdaptor_Curve& curve, double from, double to,
                      geometry::Contour& drawn_contour) const;
-    tl::expected<void, std::string> check(const geometry::Contour& drawn_contour) const;
+    Result<void> check(const geometry::Contour& drawn_contour) const;
 
     const PlateFrame& frame_;
     double tolerance_mm_;

@@ -10,15 +10,12 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
-void note_ignored(std::size_t count, const char* what, Plate& plate) {
+void add_ignored_note(std::size_t count, const char* what, Plate& plate) {
     if (count == 0) return;
-    plate.drawing.notes.push_back(fmt::format("{} {} beside the bodies left out", count, what));
+    plate.drawing.notes.push_back(fmt::format("{} {} that are not part of a body are ignored", count, what));
 }
 
-tl::expected<Plate, std::string> plate_from_solids(const Bodies& bodies, const ShapeFile& file,
-                                                   const PlateOptions& options) {
+Result<Plate> plate_from_solids(const Bodies& bodies, const ShapeFile& file, const PlateOptions& options) {
     const auto frame = find_plate(bodies.solids, options);
     if (!frame) return Unexpected(frame.error());
     Plate plate;
@@ -26,19 +23,19 @@ tl::expected<Plate, std::string> plate_from_solids(const Bodies& bodies, const S
     for (const TopoDS_Solid& solid : bodies.solids) {
         if (auto result = outline.add(solid); !result) return Unexpected(result.error());
     }
-    note_ignored(bodies.faces.size(), bodies.faces.size() == 1 ? "surface is" : "surfaces are", plate);
-    note_ignored(bodies.edges.size(), bodies.edges.size() == 1 ? "curve is" : "curves are", plate);
+    add_ignored_note(bodies.faces.size(), bodies.faces.size() == 1 ? "surface is" : "surfaces are", plate);
+    add_ignored_note(bodies.edges.size(), bodies.edges.size() == 1 ? "curve is" : "curves are", plate);
     return plate;
 }
 
 }  // namespace
 
-tl::expected<Plate, std::string> extract_plate(const ShapeFile& file, const PlateOptions& options) {
+Result<Plate> extract_plate(const ShapeFile& file, const PlateOptions& options) {
     const Bodies bodies = sort_bodies(file.shape());
     if (!bodies.solids.empty()) return plate_from_solids(bodies, file, options);
     if (!bodies.faces.empty()) return plate_from_faces(bodies.faces, file, options);
     if (!bodies.edges.empty()) return plate_from_curves(bodies.edges, file, options);
-    return Unexpected("there is no body, surface or curve in it");
+    return Unexpected("it contains no body, surface or curve");
 }
 
 }  // namespace gsim::solid

@@ -23,14 +23,11 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr std::size_t kMaxSolidBytes = std::size_t{256} << 20U;  // as in the calling program
 
 // Returns an OpenCASCADE error of an entity. OpenCASCADE would continue without the entity, so a part of the
 // body would be missing.
-tl::expected<void, std::string> check(const Interface_CheckIterator& list,
-                                      const Interface_InterfaceModel& model) {
+Result<void> check(const Interface_CheckIterator& list, const Interface_InterfaceModel& model) {
     for (list.Start(); list.More(); list.Next()) {
         const Handle(Interface_Check)& found = list.Value();
         if (!found->HasFailed()) continue;
@@ -49,11 +46,11 @@ tl::expected<void, std::string> check(const Interface_CheckIterator& list,
 
 }  // namespace
 
-tl::expected<ShapeFile, std::string> ShapeFile::read(const std::string& name) {
+Result<ShapeFile> ShapeFile::read(const std::string& name) {
     const FileFormat format = format_by_name(name);
     const auto text = os::read_input(name, os::NameSource::in_file, kMaxSolidBytes);
     if (!text) return Unexpected(text.error());
-    if (auto error = find_file_error(*text, format)) return Unexpected(std::move(*error));
+    if (auto error = find_file_error(*text, format)) return tl::unexpected(*std::move(error));
     ShapeFile file;
     if (format == FileFormat::step) {
         file.reader_ = std::make_unique<STEPControl_Reader>();
@@ -63,14 +60,14 @@ tl::expected<ShapeFile, std::string> ShapeFile::read(const std::string& name) {
     XSControl_Reader& reader = *file.reader_;
     if (reader.ReadFile(name.c_str()) != IFSelect_RetDone || reader.Model().IsNull())
         return Unexpected(
-            fmt::format("this is no whole {} file", format == FileFormat::step ? "STEP" : "IGES"));
+            fmt::format("this is not a complete {} file", format == FileFormat::step ? "STEP" : "IGES"));
     const Interface_InterfaceModel& model = *reader.Model();
     if (auto checked = check(reader.WS()->ModelCheckList(), model); !checked)
         return Unexpected(checked.error());
     reader.TransferRoots();
     if (auto checked = check(reader.WS()->TransferReader()->LastCheckList(), model); !checked)
         return Unexpected(checked.error());
-    if (reader.NbShapes() < 1) return Unexpected("there is no body, surface or curve in it");
+    if (reader.NbShapes() < 1) return Unexpected("it contains no body, surface or curve");
     file.shape_ = reader.OneShape();
     file.index_entities();
     return file;

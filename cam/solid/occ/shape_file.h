@@ -6,16 +6,16 @@
 #include <memory>
 #include <string>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::solid {
 
 /// The shapes of a STEP or IGES file, in mm.
 class ShapeFile {
   public:
-    /// Reads a file. The error is a message. OpenCASCADE's exceptions (Standard_Failure) pass through, and it
+    /// Reads a file. OpenCASCADE's exceptions (Standard_Failure) pass through, and it
     /// may crash.
-    static tl::expected<ShapeFile, std::string> read(const std::string& name);
+    static Result<ShapeFile> read(const std::string& name);
 
     const TopoDS_Shape& shape() const { return shape_; }
     /// Returns the file's name of a shape: "#57" in STEP, "D57" in IGES; empty if it is not known.

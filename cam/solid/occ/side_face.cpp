@@ -19,8 +19,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kFaceTolerance_mm = 0.01;  // how far the jet may leave the face
 constexpr double kMaxBevel_deg = 60;
 constexpr double kBevelStep_deg = 0.5;
@@ -41,9 +39,9 @@ class Side {
           plane_(face_plane(face).has_value()),
           surface_(new ShapeAnalysis_Surface(BRep_Tool::Surface(face))) {}
 
-    tl::expected<std::vector<BevelInterval>, std::string> run() {
+    Result<std::vector<BevelInterval>> run() {
         if (!is_through_cut())
-            return Unexpected("does not go through the plate from its upper to its lower side");
+            return Unexpected("does not extend through the plate from its upper to its lower side");
         const double from = curve_.FirstParameter();
         const double to = curve_.LastParameter();
         for (const double share : kSampleShares) {
@@ -51,7 +49,7 @@ class Side {
             const auto bevel = bevel_deg(at);
             if (!bevel) return Unexpected("has no normal at its upper edge");
             if (std::abs(*bevel) > kMaxBevel_deg) {
-                return Unexpected(fmt::format("leans by {:.1f} deg; a jet can lean by {} deg",
+                return Unexpected(fmt::format("is tilted by {:.1f} deg; a jet can be tilted by up to {} deg",
                                               std::abs(*bevel), kMaxBevel_deg));
             }
             if (!is_straight(at)) return Unexpected("is not straight from the upper to the lower side");
@@ -158,10 +156,8 @@ class Side {
 
 }  // namespace
 
-tl::expected<std::vector<BevelInterval>, std::string> edge_bevels(const TopoDS_Edge& edge,
-                                                                  const TopoDS_Face& side,
-                                                                  const PlateFrame& frame,
-                                                                  double thickness_mm) {
+Result<std::vector<BevelInterval>> edge_bevels(const TopoDS_Edge& edge, const TopoDS_Face& side,
+                                               const PlateFrame& frame, double thickness_mm) {
     return Side(edge, side, frame, thickness_mm).run();
 }
 

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/solid/occ/plate_frame.h"
 
 namespace gsim::solid {
@@ -20,9 +19,7 @@ struct BevelInterval {
 /// Returns sections of an edge in the order of its parameters; within each the tilt changes by at most half a
 /// degree. The error means that a straight jet cannot cut the face through the full plate in one pass. It is
 /// the end of a message that begins with the face's name.
-tl::expected<std::vector<BevelInterval>, std::string> edge_bevels(const TopoDS_Edge& edge,
-                                                                  const TopoDS_Face& side,
-                                                                  const PlateFrame& frame,
-                                                                  double thickness_mm);
+Result<std::vector<BevelInterval>> edge_bevels(const TopoDS_Edge& edge, const TopoDS_Face& side,
+                                               const PlateFrame& frame, double thickness_mm);
 
 }  // namespace gsim::solid

@@ -22,8 +22,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kAreaTolerance = 1e-6;
 constexpr double kThicknessStep_mm = 1e-6;  // of the thickness, which reports show
 constexpr double kLevelTolerance =
@@ -88,8 +86,7 @@ gp_Pnt lowest_point(std::span<const TopoDS_Solid> solids, const PlateFrame& fram
 
 }  // namespace
 
-tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> solids,
-                                                 const PlateOptions& options) {
+Result<PlateFrame> find_plate(std::span<const TopoDS_Solid> solids, const PlateOptions& options) {
     std::optional<PlaneFace> best;
     for (const TopoDS_Solid& solid : solids) {
         for (const TopoDS_Face& face : shape_faces(solid)) {
@@ -101,25 +98,25 @@ tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> s
     }
     if (!best) {
         return Unexpected(fmt::format(
-            "the body at {} has no plane face{}; only flat plates are cut",
+            "the body at {} has no planar face{}; only flat plates can be cut",
             display_text(face_point(shape_faces(solids.front()).front())),
-            options.facing_axis.empty() ? "" : fmt::format(" that looks along {}", options.facing_axis)));
+            options.facing_axis.empty() ? "" : fmt::format(" that faces {}", options.facing_axis)));
     }
     const PlateFrame frame(best->position, best->normal);
     if (!options.flip) return frame;
     return PlateFrame(lowest_point(solids, frame), best->normal.Reversed());
 }
 
-SolidOutline::VoidResult SolidOutline::reject(const TopoDS_Face& face, const std::string& what) const {
+Result<void> SolidOutline::reject(const TopoDS_Face& face, const std::string& what) const {
     return Unexpected(fmt::format("{} {}", display_text(face, file_), what));
 }
 
 // Sorts upper and lower faces, and all others.
-SolidOutline::VoidResult SolidOutline::sort_faces(const TopoDS_Solid& solid) {
+Result<void> SolidOutline::sort_faces(const TopoDS_Solid& solid) {
     upper_.clear();
     lower_.clear();
     depths_mm_.clear();
-    others_.clear();
+    other_faces_.clear();
     for (const TopoDS_Face& face : shape_faces(solid)) {
         const auto plane = face_plane(face);
         const double rise = plane ? plane->Axis().Direction().Dot(frame_.up()) : 0;
@@ -130,41 +127,41 @@ SolidOutline::VoidResult SolidOutline::sort_faces(const TopoDS_Solid& solid) {
         } else if (rise > 1 - kLevelTolerance) {
             if (std::abs(height_mm) > kHeightTolerance_mm) {
                 return reject(
-                    face, fmt::format("lies {:.6g} mm {} the upper side; all of a plate's upper side is in "
-                                      "one plane",
-                                      std::abs(height_mm), height_mm > 0 ? "above" : "below"));
+                    face,
+                    fmt::format(
+                        "is {:.6g} mm {} the upper side; the upper side of a plate must be in one plane",
+                        std::abs(height_mm), height_mm > 0 ? "above" : "below"));
             }
             upper_.push_back(face);
         } else {
-            others_.push_back(face);
+            other_faces_.push_back(face);
         }
     }
     return {};
 }
 
-SolidOutline::VoidResult SolidOutline::find_thickness() {
+Result<void> SolidOutline::find_thickness() {
     if (lower_.empty() || upper_.empty()) {
         const TopoDS_Face& face =
-            others_.empty() ? (lower_.empty() ? upper_ : lower_).front() : others_.front();
-        return reject(face, fmt::format("belongs to a body without {} side; a plate has two plane ones",
-                                        upper_.empty() ? "an upper" : "a lower"));
+            other_faces_.empty() ? (lower_.empty() ? upper_ : lower_).front() : other_faces_.front();
+        return reject(face,
+                      fmt::format("belongs to a body without {} side; a plate must have two planar sides",
+                                  upper_.empty() ? "an upper" : "a lower"));
     }
     for (std::size_t i = 0; i < lower_.size(); ++i) {
         const double depth_mm = std::round(depths_mm_[i] / kThicknessStep_mm) * kThicknessStep_mm;
         if (plate_.thickness_mm == 0) plate_.thickness_mm = depth_mm;
         if (std::abs(depth_mm - plate_.thickness_mm) <= kHeightTolerance_mm) continue;
-        return reject(
-            lower_[i],
-            fmt::format("lies {:.6g} mm below the upper side, but another one {:.6g} mm; a plate has "
-                        "one thickness",
-                        depth_mm, plate_.thickness_mm));
+        return reject(lower_[i], fmt::format("is {:.6g} mm below the upper side, but another one {:.6g} mm; "
+                                             "a plate must have one thickness",
+                                             depth_mm, plate_.thickness_mm));
     }
     return {};
 }
 
-SolidOutline::VoidResult SolidOutline::draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side) {
+Result<void> SolidOutline::draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side) {
     const auto sections = edge_bevels(edge, side, frame_, plate_.thickness_mm);
-    if (!sections) return reject(side, sections.error());
+    if (!sections) return reject(side, sections.error().message);
     const BRepAdaptor_Curve curve(edge);
     const std::string label = file_.label(side);
     const std::string name =
@@ -176,7 +173,7 @@ SolidOutline::VoidResult SolidOutline::draw_edge(const TopoDS_Edge& edge, const 
     return {};
 }
 
-SolidOutline::VoidResult SolidOutline::draw_face(const TopoDS_Face& face, const Neighbours& edge_faces) {
+Result<void> SolidOutline::draw_face(const TopoDS_Face& face, const Neighbours& edge_faces) {
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
         const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
         for (const TopoDS_Shape& neighbour : edge_faces.FindFromKey(edge)) {
@@ -190,7 +187,7 @@ SolidOutline::VoidResult SolidOutline::draw_face(const TopoDS_Face& face, const 
     return {};
 }
 
-SolidOutline::VoidResult SolidOutline::add(const TopoDS_Solid& solid) {
+Result<void> SolidOutline::add(const TopoDS_Solid& solid) {
     if (auto sorted = sort_faces(solid); !sorted) return sorted;
     if (auto found = find_thickness(); !found) return found;
     Neighbours edge_faces;
@@ -202,9 +199,9 @@ SolidOutline::VoidResult SolidOutline::add(const TopoDS_Solid& solid) {
                 upper_edge_faces.Add(neighbour);
         }
     }
-    for (const TopoDS_Face& face : others_) {
+    for (const TopoDS_Face& face : other_faces_) {
         if (!upper_edge_faces.Contains(face))
-            return reject(face, "has no edge in the upper side: it is not reached by a jet from there");
+            return reject(face, "has no edge on the upper side: a jet cannot reach it from there");
     }
     for (const TopoDS_Face& face : upper_) {
         if (auto result = draw_face(face, edge_faces); !result) return result;

@@ -16,20 +16,18 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kMaxAngularDeflection_rad = 0.5;  // between neighbours: small round faces keep their form
 
 // A builder that joins the triangles of faces; vertices of an edge are the same in both adjacent faces.
 class MeshBuilder {
   public:
-    tl::expected<void, std::string> add(const TopoDS_Face& face) {
+    Result<void> add(const TopoDS_Face& face) {
         TopLoc_Location position;
         const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, position);
-        if (part.IsNull()) return Unexpected("a face of it could not be divided into triangles");
+        if (part.IsNull()) return Unexpected("one of its faces could not be triangulated");
         if (mesh_.triangles.size() + static_cast<std::size_t>(part->NbTriangles()) > kMaxTriangles)
-            return Unexpected(
-                fmt::format("more than {} triangles; a larger tolerance makes fewer", kMaxTriangles));
+            return Unexpected(fmt::format("more than {} triangles; a larger tolerance reduces their number",
+                                          kMaxTriangles));
         const gp_Trsf& placed = position.Transformation();
         std::vector<std::uint32_t> numbers(static_cast<std::size_t>(part->NbNodes()));
         for (int i = 1; i <= part->NbNodes(); ++i)
@@ -64,7 +62,7 @@ class MeshBuilder {
 
 }  // namespace
 
-tl::expected<Mesh, std::string> tessellate(const TopoDS_Shape& shape, double tolerance_mm) {
+Result<Mesh> tessellate(const TopoDS_Shape& shape, double tolerance_mm) {
     const BRepMesh_IncrementalMesh mesher(shape, tolerance_mm, false, kMaxAngularDeflection_rad, false);
     MeshBuilder builder;
     for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -74,9 +72,9 @@ tl::expected<Mesh, std::string> tessellate(const TopoDS_Shape& shape, double tol
     Mesh mesh = std::move(builder).mesh();
     for (const auto& vertex : mesh.vertices_mm) {
         if (!std::all_of(vertex.begin(), vertex.end(), [](double x) { return std::isfinite(x); }))
-            return Unexpected("it has places that are infinitely far");
+            return Unexpected("it has points at infinity");
     }
-    if (mesh.triangles.empty()) return Unexpected("there is no surface in it");
+    if (mesh.triangles.empty()) return Unexpected("it contains no surface");
     return mesh;
 }
 

@@ -47,9 +47,9 @@ std::optional<gp_Vec> straight_edge_vector(const TopoDS_Edge& edge, const TopoDS
     const auto edge_vector = line_direction(curve);
     if (!edge_vector) return std::nullopt;
     const gp_Pnt start = BRep_Tool::Pnt(vertex);
-    const bool begins_here = start.Distance(curve.Value(curve.FirstParameter())) <
-                             start.Distance(curve.Value(curve.LastParameter()));
-    return begins_here ? *edge_vector : edge_vector->Reversed();
+    const bool is_at_curve_begin = start.Distance(curve.Value(curve.FirstParameter())) <
+                                   start.Distance(curve.Value(curve.LastParameter()));
+    return is_at_curve_begin ? *edge_vector : edge_vector->Reversed();
 }
 
 }  // namespace

@@ -19,8 +19,6 @@ namespace gsim::solid {
 
 namespace {
 
-using No = tl::unexpected<std::string>;
-
 constexpr double kMaxTurnStep_rad = 2 * kRadPerDeg;  // of directions, from one point to the next
 constexpr int kMaxHalvings = 14;
 constexpr int kInitialParts = 2;
@@ -58,7 +56,7 @@ class EdgeSampler {
 
     /// Returns the points in the order of the curve's parameter; an error if the wall is not straight, or has
     /// no normals.
-    tl::expected<std::vector<WallPoint>, std::string> run() {
+    Result<std::vector<WallPoint>> run() {
         const double from = curve_.FirstParameter();
         const double to = curve_.LastParameter();
         WallPoint first = at(from, true);
@@ -193,18 +191,18 @@ double ContourTracer::next_surface_mm(const WallEdge& edge) const {
     return nearest;
 }
 
-tl::expected<WallEdge, std::string> ContourTracer::make_wall_edge(const TopoDS_Edge& edge,
-                                                                  const TopoDS_Face& face) const {
+Result<WallEdge> ContourTracer::make_wall_edge(const TopoDS_Edge& edge, const TopoDS_Face& face) const {
     TopoDS_Face other;
     for (const TopoDS_Shape& each : edge_faces_.FindFromKey(edge)) {
         if (!each.IsSame(face)) other = TopoDS::Face(each);
     }
-    if (other.IsNull()) return No("closes upon itself in a seam");
+    if (other.IsNull()) return Unexpected("closes on itself at a seam");
     if (is_smooth(edge, face, other))
-        return No(fmt::format("goes over smoothly into {}", display_text(other, file_)));
+        return Unexpected(fmt::format("continues smoothly into {}", display_text(other, file_)));
     auto points = EdgeSampler(edge, face, other, options_).run();
     if (!points)
-        return No(fmt::format("has {} below it, which {}", display_text(other, file_), points.error()));
+        return Unexpected(
+            fmt::format("has {} below it, which {}", display_text(other, file_), points.error().message));
     WallEdge found;
     found.label = file_.label(edge);
     found.name = fmt::format("edge{} of the {} face{}", label_suffix(file_, edge), surface_kind(other),
@@ -213,14 +211,14 @@ tl::expected<WallEdge, std::string> ContourTracer::make_wall_edge(const TopoDS_E
     const WallPoint& middle = found.points[found.points.size() / 2];
     const gp_Vec normal = to_gp_vec(middle.normal);
     if (normal.Dot(to_gp_vec(middle.along_wall)) > 0)
-        return No(fmt::format("is the foot of {}, which stands up there", display_text(other, file_)));
+        return Unexpected(
+            fmt::format("is at the foot of {}, which rises from there", display_text(other, file_)));
     if (edge.Orientation() == TopAbs_REVERSED) reverse_edge(found);
     found.next_surface_mm = next_surface_mm(found);
     return found;
 }
 
-tl::expected<WallContour, std::string> ContourTracer::walk(const TopoDS_Face& face,
-                                                           const FaceLoop& loop) const {
+Result<WallContour> ContourTracer::walk(const TopoDS_Face& face, const FaceLoop& loop) const {
     WallContour contour;
     contour.face = display_text(face, file_);
     contour.is_hole = loop.is_hole;
@@ -235,25 +233,25 @@ tl::expected<WallContour, std::string> ContourTracer::walk(const TopoDS_Face& fa
         std::reverse(contour.edges.begin(), contour.edges.end());
         for (WallEdge& edge : contour.edges) reverse_edge(edge);
     }
-    if (auto blind = find_blind_wall(contour)) return No(*std::move(blind));
+    if (auto blind = find_blind_wall(contour)) return Unexpected(*std::move(blind));
     return contour;
 }
 
-std::optional<std::string> ContourTracer::find_blind_wall(const WallContour& contour) {
+std::optional<Error> ContourTracer::find_blind_wall(const WallContour& contour) {
     const auto blind = std::find_if(contour.edges.begin(), contour.edges.end(), [](const WallEdge& edge) {
         return edge.next_surface_mm > 0 &&
                edge.next_surface_mm <= edge.points.front().depth_mm + kBlindTolerance_mm;
     });
     if (blind == contour.edges.end()) return std::nullopt;
-    return fmt::format("does not go through: below {} at {} there is material {:.4g} mm down", blind->name,
-                       display_text(to_gp_pnt(blind->points.front().position_mm)), blind->next_surface_mm);
+    return fmt::format("is not a through cut: below {} at {} there is material at a depth of {:.4g} mm",
+                       blind->name, display_text(to_gp_pnt(blind->points.front().position_mm)),
+                       blind->next_surface_mm);
 }
 
-tl::expected<ChainEdge, std::string> ContourTracer::trace_edge(const TopoDS_Edge& edge,
-                                                               const TopoDS_Face& face) const {
+Result<ChainEdge> ContourTracer::trace_edge(const TopoDS_Edge& edge, const TopoDS_Face& face) const {
     const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
     auto found = make_wall_edge(forward, face);
-    if (!found) return No(found.error());
+    if (!found) return Unexpected(found.error().message);
     ChainEdge chain_edge{*std::move(found), {}, {}};
     TopExp::Vertices(forward, chain_edge.begin, chain_edge.end);
     double right = 0;

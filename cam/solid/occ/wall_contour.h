@@ -7,8 +7,7 @@
 #include <optional>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/solid/contours.h"
 #include "cam/solid/occ/face_loops.h"
 #include "cam/solid/occ/shape_file.h"
@@ -34,14 +33,13 @@ class ContourTracer {
                   const ContourOptions& options)
         : file_(file), solid_(solid), edge_faces_(edge_faces), options_(options) {}
 
-    tl::expected<WallContour, std::string> walk(const TopoDS_Face& face, const FaceLoop& loop) const;
-    tl::expected<ChainEdge, std::string> trace_edge(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
-    /// Returns nothing if all walls pass through.
-    static std::optional<std::string> find_blind_wall(const WallContour& contour);
+    Result<WallContour> walk(const TopoDS_Face& face, const FaceLoop& loop) const;
+    Result<ChainEdge> trace_edge(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
+    /// Returns an error if a wall does not pass through.
+    static std::optional<Error> find_blind_wall(const WallContour& contour);
 
   private:
-    tl::expected<WallEdge, std::string> make_wall_edge(const TopoDS_Edge& edge,
-                                                       const TopoDS_Face& face) const;
+    Result<WallEdge> make_wall_edge(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
     double next_surface_mm(const WallEdge& edge) const;
 
     const ShapeFile& file_;

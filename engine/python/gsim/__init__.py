@@ -18,11 +18,11 @@ __all__ = ["Error", "MOVE", "ProgramError", "Run", "SAMPLE", "run", "translate",
 _API = 1
 _AXES = 16
 
-#: What Run.moves has: a line of gsim_move for each move.
+#: The fields of Run.moves: a row for each move, as gsim_move. "jet_on" is the name of "process_on" in version 0.1, until 0.3.
 MOVE = numpy.dtype([
     ("n", "u8"), ("start_s", "f8"), ("end_s", "f8"), ("length_mm", "f8"), ("feed_per_min", "f8"), ("deviation_mm", "f8"),
     ("end", "f8", _AXES), ("center_mm", "f8", 3), ("axis", "f8", 3), ("radius_mm", "f8"), ("sweep_rad", "f8"),
-    ("kind", "i4"), ("jet_on", "i4"), ("line", "u4"), ("file", "u4")])
+    ("kind", "i4"), (("jet_on", "process_on"), "i4"), ("line", "u4"), ("file", "u4")])
 #: What Run.samples has: an instant each.
 SAMPLE = numpy.dtype([("t_s", "f8"), ("speed_mm_s", "f8"), ("axes", "f8", _AXES), ("line", "u4"), ("reserved", "u4")])
 
@@ -81,7 +81,7 @@ class _Request:
         self.failure = None
         self.diagnostics = []
         self.handle = _ffi.gc(_lib.gsim_request_create(), _lib.gsim_request_destroy)
-        self.tell = _ffi.callback("gsim_tell", lambda _, told: self.diagnostics.append(_diagnostic(told)))
+        self.tell = _ffi.callback("gsim_on_diagnostic", lambda _, told: self.diagnostics.append(_diagnostic(told)))
         self._set_text("program", os.fspath(program))
         if text is not None:
             data = text.encode() if isinstance(text, str) else bytes(text)
@@ -112,7 +112,7 @@ class _Request:
             if data is None:
                 return 0
             data = data.encode() if isinstance(data, str) else bytes(data)
-            return 1 if _lib.gsim_bytes_put(out, data, len(data)) == 0 else 0
+            return 1 if _lib.gsim_bytes_append(out, data, len(data)) == 0 else 0
 
         return read
 
@@ -159,12 +159,12 @@ def run(program, text=None, *, step_s=None, files=None, progress=None, robot=0, 
             _lib.gsim_run_cancel(handle)
 
     done(_lib.gsim_run_status(handle))
-    done(_lib.gsim_run_take_moves(handle, robot, moves.take, _ffi.NULL))
+    done(_lib.gsim_run_on_moves(handle, robot, moves.take, _ffi.NULL))
     if step_s is not None:
-        done(_lib.gsim_run_take_samples(handle, robot, step_s, samples.take, _ffi.NULL))
+        done(_lib.gsim_run_on_samples(handle, robot, step_s, samples.take, _ffi.NULL))
     if progress is not None:
-        shown = _ffi.callback("gsim_show_progress", show)
-        done(_lib.gsim_run_show_progress(handle, shown, _ffi.NULL))
+        shown = _ffi.callback("gsim_on_progress", show)
+        done(_lib.gsim_run_on_progress(handle, shown, _ffi.NULL))
     done(_lib.gsim_run_go(handle))
     if request.failure is not None:
         raise request.failure
@@ -180,7 +180,7 @@ def translate(program, text=None, *, files=None, **options):
     """A part program as a script in Lua."""
     request = _Request(program, text, files, options)
     pieces = []
-    take = _ffi.callback("gsim_take_text",
+    take = _ffi.callback("gsim_write_text",
                          lambda _, data, size: 1 if pieces.append(bytes(_ffi.buffer(data, size))) is None else 0)
     status = _lib.gsim_translate(request.handle, request.tell, _ffi.NULL, take, _ffi.NULL)
     if status != 0:

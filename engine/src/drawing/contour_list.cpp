@@ -24,7 +24,7 @@ std::vector<std::array<double, 3>> contour_points(const solid::WallContour& cont
 }
 
 ListedContour listed(const solid::WallContour& contour) {
-    const script::ContourDescription facts = contour_facts(contour);
+    const script::ContourDescription facts = describe_contour(contour);
     ListedContour each{.face = facts.face,
                        .is_hole = facts.is_hole,
                        .is_open = facts.is_open,

@@ -26,7 +26,7 @@ std::string path_name(const cutting::Autopath& autopath_result, std::size_t path
     return fmt::format("{} ({})", name, autopath_result.cuts[path]);
 }
 
-std::string transit_message(const cutting::Autopath& autopath_result, const path::Error& error) {
+std::string linking_error_message(const cutting::Autopath& autopath_result, const path::TargetError& error) {
     return fmt::format("{}: {}", path_name(autopath_result, error.where.path), error.message);
 }
 
@@ -60,20 +60,20 @@ tl::expected<CuttingCell, Error> CuttingCell::read(const Host& host, const Cutti
     };
     const Machine::Parts& parts = machine->parts();
     const auto data = read_request_data(parts.found, parts.input);
-    if (!data) return failed(data.error());
+    if (!data) return failed(data.error().message);
     linking::Origin origin;
     const auto offset = data->data().offsets.find(kDefaultWorkOffset);
     if (offset != data->data().offsets.end()) origin = offset->second;
     auto space = path::MachineSpace::make(parts.input.machine);
-    if (!space) return failed(space.error());
+    if (!space) return failed(space.error().message);
     auto bodies = cell::CollisionChecker::make(*parts.bodies, parts.input.machine);
-    if (!bodies) return failed(bodies.error());
+    if (!bodies) return failed(bodies.error().message);
     motion::PlannerSetup setup = simulation::make_planner_setup(parts.input.machine);
     std::vector<std::string> notes = parts.input.notes;
     if (bodies->pair_count() == 0)
         notes.push_back(
-            "machine and cell have no bodies that could touch each other: ways between cuts stay as they "
-            "are");
+            "machine and cell have no bodies that can touch each other: linking moves between cuts are "
+            "unchanged");
     return CuttingCell(
         std::make_unique<Parts>(Parts{*std::move(machine), std::move(origin), *std::move(space),
                                       std::move(setup), *std::move(bodies), std::move(notes)}));
@@ -83,19 +83,19 @@ const std::vector<std::string>& CuttingCell::notes() const {
     return parts_->notes;
 }
 
-tl::expected<void, std::string> CuttingCell::avoid_collisions(cutting::Autopath& autopath_result,
-                                                              CuttingMetrics& metrics) const {
+Result<void> CuttingCell::avoid_collisions(cutting::Autopath& autopath_result,
+                                           CuttingMetrics& metrics) const {
     const linking::RapidPlanner space(parts_->space, parts_->setup, parts_->bodies, parts_->origin,
                                       linking::has_orientations(autopath_result.program));
     const auto linking = linking::avoid_collisions(autopath_result.program, space, parts_->space.home());
-    if (!linking) return tl::unexpected(transit_message(autopath_result, linking.error()));
+    if (!linking) return tl::unexpected(linking_error_message(autopath_result, linking.error()));
     if (parts_->bodies.pair_count() > 0) metrics.ways = linking->ways;
     metrics.rerouted_moves = linking->changed;
     if (linking->errors.empty()) return {};
     std::string sentences;
     for (std::size_t i = 0; i < std::min(linking->errors.size(), kMaxErrors); ++i) {
         if (i > 0) sentences += "\n  ";
-        sentences += transit_message(autopath_result, linking->errors[i]);
+        sentences += linking_error_message(autopath_result, linking->errors[i]);
     }
     if (linking->errors.size() > kMaxErrors)
         sentences += fmt::format("\n  and {} more", linking->errors.size() - kMaxErrors);

@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "cam/cutting/autopath.h"
 #include "engine/diagnostic.h"
 #include "engine/drawing_path.h"
@@ -26,8 +27,7 @@ class CuttingCell {
     const std::vector<std::string>& notes() const;
     /// Reroutes the moves between cuts past the surroundings, and counts them. The error is a message, or
     /// several lines: cuts that the machine does not reach, cuts with obstacles, paths that were not found.
-    tl::expected<void, std::string> avoid_collisions(cutting::Autopath& autopath_result,
-                                                     CuttingMetrics& metrics) const;
+    Result<void> avoid_collisions(cutting::Autopath& autopath_result, CuttingMetrics& metrics) const;
 
   private:
     struct Parts;

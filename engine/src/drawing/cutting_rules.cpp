@@ -56,15 +56,14 @@ cutting::CutRules make_cut_rules(const waterjet::CuttingPlan& plan, const Cuttin
     return rules;
 }
 
-tl::expected<ResolvedCutting, std::string> resolve_by_parameters(const CuttingOptions& options) {
+Result<ResolvedCutting> resolve_by_parameters(const CuttingOptions& options) {
     if (!options.speed_mm_min || !options.kerf_mm)
-        return tl::unexpected(std::string("give --material and --thickness, or --speed and --kerf"));
+        return Unexpected("give --material and --thickness, or --speed and --kerf");
     if (options.taper_compensation)
-        return tl::unexpected(
-            std::string("--straighten needs --material and --thickness: the taper is theirs"));
+        return Unexpected(
+            "--taper-compensation requires --material and --thickness, which determine the taper");
     if (options.dynamic_pierce && !options.pierce_s)
-        return tl::unexpected(
-            std::string("--moving-pierce needs --material, or how long it takes (--pierce)"));
+        return Unexpected("--dynamic-pierce requires --material, or its time (--pierce)");
     ResolvedCutting resolved;
     resolved.rules.kerf_mm = *options.kerf_mm;
     resolved.rules.speed_mm_min = *options.speed_mm_min;
@@ -75,17 +74,16 @@ tl::expected<ResolvedCutting, std::string> resolve_by_parameters(const CuttingOp
 
 }  // namespace
 
-tl::expected<waterjet::Materials, std::string> read_materials_input(const Host& host,
-                                                                    const std::string& name) {
+Result<waterjet::Materials> read_materials_input(const Host& host, const std::string& name) {
     if (name.empty()) return waterjet::read_materials(waterjet::built_in_materials_toml(), "materials.toml");
     const auto file = resolve_name(host, NameKind::sample, name);
     if (!file) return tl::unexpected(file.error());
     return waterjet::load_materials(*file, os::NameSource::command_line, host.files.impl());
 }
 
-tl::expected<ResolvedCutting, std::string> resolve_cutting_options(
-    const CuttingOptions& options, const std::optional<waterjet::Materials>& materials,
-    double plate_thickness_mm) {
+Result<ResolvedCutting> resolve_cutting_options(const CuttingOptions& options,
+                                                const std::optional<waterjet::Materials>& materials,
+                                                double plate_thickness_mm) {
     if (!materials) return resolve_by_parameters(options);
     return waterjet::plan_cutting(*materials, make_cutting_request(options, plate_thickness_mm))
         .map([&](waterjet::CuttingPlan plan) {
@@ -100,7 +98,7 @@ std::optional<std::string> thickness_mismatch(const CuttingOptions& options, dou
     if (plate_thickness_mm <= 0 || options.thickness_mm == 0) return std::nullopt;
     if (std::abs(options.thickness_mm - plate_thickness_mm) <= kEqualTolerance * plate_thickness_mm)
         return std::nullopt;
-    return fmt::format("the solid is {:.6g} mm thick; --thickness says {:.6g} mm", plate_thickness_mm,
+    return fmt::format("the solid is {:.6g} mm thick, but --thickness is {:.6g} mm", plate_thickness_mm,
                        options.thickness_mm);
 }
 

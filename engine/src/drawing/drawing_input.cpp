@@ -33,14 +33,13 @@ solid::Plate to_solid_plate(Plate given) {
     return plate;
 }
 
-tl::expected<solid::Plate, std::string> read_solid(const Host& host, const std::string& file,
-                                                   const DrawingOptions& drawing_options) {
+Result<solid::Plate> read_solid(const Host& host, const std::string& file,
+                                const DrawingOptions& drawing_options) {
     if (drawing_options.unit_mm != 0 || !drawing_options.layers.empty())
-        return tl::unexpected(
-            std::string("--unit and --layer are for drawings; a STEP or IGES file says its unit"));
+        return Unexpected("--unit and --layer apply to drawings; a STEP or IGES file defines its unit");
     if (!host.read_plate) {
-        return tl::unexpected(
-            fmt::format("{}: STEP and IGES files are not read here; DXF and SVG files are", file));
+        return Unexpected(
+            fmt::format("{}: STEP and IGES files are not supported here, only DXF and SVG files", file));
     }
     return host
         .read_plate(file, {.tolerance_mm = drawing_options.curve_tolerance_mm,
@@ -51,11 +50,11 @@ tl::expected<solid::Plate, std::string> read_solid(const Host& host, const std::
 
 }  // namespace
 
-tl::expected<solid::Plate, std::string> read_drawing_input(const Host& host, const std::string& file,
-                                                           const DrawingOptions& drawing_options) {
+Result<solid::Plate> read_drawing_input(const Host& host, const std::string& file,
+                                        const DrawingOptions& drawing_options) {
     if (solid::is_solid_file(file)) return read_solid(host, file, drawing_options);
     if (drawing_options.flip || !drawing_options.up.empty())
-        return tl::unexpected(std::string("--up and --flip are for STEP and IGES files"));
+        return Unexpected("--up and --flip apply to STEP and IGES files");
     const drawing::ReadOptions options{drawing_options.curve_tolerance_mm, drawing_options.unit_mm,
                                        drawing_options.layers};
     return drawing::read_drawing(file, options, os::NameSource::command_line, host.files.impl())

@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/solid/plate.h"
 #include "engine/drawing_path.h"
 
@@ -11,7 +10,7 @@ namespace gsim::engine {
 
 /// Reads a drawing, or a flat part through the host. The error is a message: why it cannot be read, or which
 /// option is not for such a file.
-tl::expected<solid::Plate, std::string> read_drawing_input(const Host& host, const std::string& file,
-                                                           const DrawingOptions& drawing_options);
+Result<solid::Plate> read_drawing_input(const Host& host, const std::string& file,
+                                        const DrawingOptions& drawing_options);
 
 }  // namespace gsim::engine

@@ -90,7 +90,7 @@ class DrawingPath::State {
     }
     tl::expected<void, Error> resolve_cutting(double thickness_mm);
     waterjet::JobPrice price() const {
-        return waterjet::price_job(*cutting_.plan, materials_->prices,
+        return waterjet::price_job(*resolved_cutting_.plan, materials_->prices,
                                    {.cut_length_mm = metrics_.cut_mm,
                                     .pierces = metrics_.pierces,
                                     .dynamic_pierces = metrics_.dynamic_pierces,
@@ -104,7 +104,7 @@ class DrawingPath::State {
     std::optional<CuttingCell> cutting_cell_;       ///< None: the surroundings are not checked.
     drawing::Drawing drawing_;
     solid::WallContours contours_;  ///< Instead of a drawing, if a surface is requested.
-    ResolvedCutting cutting_;
+    ResolvedCutting resolved_cutting_;
     path::Program program_;
     CuttingMetrics metrics_;
 };
@@ -113,13 +113,13 @@ class DrawingPath::State {
 tl::expected<void, Error> DrawingPath::State::resolve_cutting(double thickness_mm) {
     auto resolved = resolve_cutting_options(request_.cutting, materials_, thickness_mm);
     if (!resolved) return tl::unexpected(make_error(DiagnosticKind::usage, resolved.error()));
-    cutting_ = *std::move(resolved);
+    resolved_cutting_ = *std::move(resolved);
     return {};
 }
 
 tl::expected<void, Error> DrawingPath::State::read_surface() {
-    if (std::string error = find_contour_option_error(request_); !error.empty())
-        return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
+    if (auto error = find_contour_option_error(request_))
+        return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
     auto contours = read_surface_input(request_.host, file_, request_);
     if (!contours)
         return tl::unexpected(make_error(DiagnosticKind::input_file, contours.error(), request_.drawing));
@@ -147,10 +147,11 @@ tl::expected<void, Error> DrawingPath::State::read() {
 }
 
 tl::expected<void, Error> DrawingPath::State::make(const DiagnosticHandler& on_diagnostic) {
-    auto result = request_.surface
-                      ? surface::surface_path(contours_, cutting_.rules, surface_options(request_))
-                      : cutting::autopath(std::move(drawing_), cutting_.rules, make_options(request_));
-    if (!result) return tl::unexpected(drawing_error(result.error()));
+    auto result =
+        request_.surface
+            ? surface::surface_path(contours_, resolved_cutting_.rules, surface_options(request_))
+            : cutting::autopath(std::move(drawing_), resolved_cutting_.rules, make_options(request_));
+    if (!result) return tl::unexpected(drawing_error(result.error().message));
     const auto note = [&](const std::string& message) {
         if (!on_diagnostic) return;
         on_diagnostic({.severity = Severity::note,
@@ -163,15 +164,15 @@ tl::expected<void, Error> DrawingPath::State::make(const DiagnosticHandler& on_d
     if (cutting_cell_) {
         for (const std::string& message : cutting_cell_->notes()) note(message);
         if (auto clear = cutting_cell_->avoid_collisions(*result, metrics_); !clear)
-            return tl::unexpected(drawing_error(clear.error()));
+            return tl::unexpected(drawing_error(clear.error().message));
     }
     program_ = std::move(result->program);
     return {};
 }
 
 std::optional<JobMetrics> DrawingPath::State::job() const {
-    if (!cutting_.plan) return std::nullopt;
-    const waterjet::CuttingPlan& plan = *cutting_.plan;
+    if (!resolved_cutting_.plan) return std::nullopt;
+    const waterjet::CuttingPlan& plan = *resolved_cutting_.plan;
     const waterjet::JobPrice price = this->price();
     return JobMetrics{.thickness_mm = plan.thickness_mm,
                       .quality = plan.quality,
@@ -187,13 +188,13 @@ std::optional<JobMetrics> DrawingPath::State::job() const {
 }
 
 std::string DrawingPath::State::job_report() const {
-    if (!cutting_.plan) return {};
+    if (!resolved_cutting_.plan) return {};
     const waterjet::AccuracyTimes times{
         .slowdown_s = metrics_.slowdown_s,
         .taper_compensation_s = request_.cutting.taper_compensation
                                     ? std::optional(metrics_.taper_compensation_s)
                                     : std::nullopt};
-    return waterjet::job_report_text({*cutting_.plan, price(), times, materials_->prices.currency});
+    return waterjet::job_report_text({*resolved_cutting_.plan, price(), times, materials_->prices.currency});
 }
 
 tl::expected<DrawingPath, Error> DrawingPath::open(DrawingRequest request) {
@@ -264,7 +265,7 @@ std::string DrawingPath::summary() const {
         fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts",
                     metrics.outlines, metrics.pierces, metrics.cut_mm, metrics.cut_s, metrics.travel_mm);
     if (metrics.ways == 0) return message;
-    return message + fmt::format("; nothing is touched, and {} of {} ways lead round something",
+    return message + fmt::format("; there are no collisions, and {} of {} linking moves were rerouted",
                                  metrics.rerouted_moves, metrics.ways);
 }
 

@@ -50,14 +50,14 @@ std::array<double, 3> to_vec3(const surface::Vector& v) {
 
 }  // namespace
 
-script::ContourDescription contour_facts(const solid::WallContour& contour) {
+script::ContourDescription describe_contour(const solid::WallContour& contour) {
     script::ContourDescription facts{
         .face = contour.face, .is_hole = contour.is_hole, .is_open = contour.is_open};
     surface::Vector low = surface::Vector::Constant(std::numeric_limits<double>::infinity());
     surface::Vector high = -low;
     surface::Vector normal = surface::Vector::Zero();
     for (const solid::WallEdge& edge : contour.edges) {
-        script::ContourDescription::Edge edge_facts{edge.name, 0};
+        script::ContourDescription::Edge edge_description{edge.name, 0};
         for (std::size_t i = 0; i < edge.points.size(); ++i) {
             const solid::WallPoint& point = edge.points[i];
             const surface::Vector at = surface::to_vector(point.position_mm);
@@ -69,11 +69,11 @@ script::ContourDescription contour_facts(const solid::WallContour& contour) {
             if (wall.norm() > 0) facts.tilt_deg = std::max(facts.tilt_deg, angle_deg(wall, up));
             if (i == 0) continue;
             const double step_mm = (at - surface::to_vector(edge.points[i - 1].position_mm)).norm();
-            edge_facts.length_mm += step_mm;
+            edge_description.length_mm += step_mm;
             normal += step_mm * up;
         }
-        facts.length_mm += edge_facts.length_mm;
-        facts.edges.push_back(std::move(edge_facts));
+        facts.length_mm += edge_description.length_mm;
+        facts.edges.push_back(std::move(edge_description));
     }
     facts.low_mm = to_vec3(low);
     facts.high_mm = to_vec3(high);
@@ -81,48 +81,49 @@ script::ContourDescription contour_facts(const solid::WallContour& contour) {
     return facts;
 }
 
-std::string find_contour_option_error(const DrawingRequest& request) {
+std::optional<gsim::Error> find_contour_option_error(const DrawingRequest& request) {
     const DrawingOptions& reading = request.reading;
     if (request.cutting.taper_compensation || request.cutting.dynamic_pierce) {
-        return fmt::format("{} is for drawings and flat parts: it does not go with --contours",
-                           request.cutting.taper_compensation ? "--straighten" : "--moving-pierce");
+        return fmt::format("{} applies to drawings and flat parts: it cannot be combined with --contours",
+                           request.cutting.taper_compensation ? "--taper-compensation" : "--dynamic-pierce");
     }
-    if (reading.flip || !reading.up.empty()) return "--up and --flip are for flat parts, without --contours";
+    if (reading.flip || !reading.up.empty()) return "--up and --flip apply to flat parts, without --contours";
     if (reading.unit_mm != 0 || !reading.layers.empty())
-        return "--unit and --layer are for drawings; a STEP or IGES file says its unit";
+        return "--unit and --layer apply to drawings; a STEP or IGES file defines its unit";
     if (std::abs(request.ways.bevel_deg) > 0)
-        return "--bevel is for flat parts; with --contours the jet goes along the walls, or leans by --lean";
+        return "--bevel applies to flat parts; with --contours the jet follows the walls, or is tilted by "
+               "--tilt-angle";
     const SurfaceCuttingOptions& surface = *request.surface;
     if (surface.contours.kind == "edges" && surface.contours.edges.empty())
-        return "--contours edges needs the numbers of edges (--edge)";
+        return "--contours edges requires the numbers of edges (--edge)";
     if (surface.contours.along_walls && std::abs(surface.tilt_deg) > 0)
-        return "--lean is from the face's normal (--axis normal); along walls they say how the jet leans";
+        return "--tilt-angle is relative to the face normal (--axis normal); along walls, the walls define "
+               "the tilt angle";
     return {};
 }
 
-tl::expected<solid::WallContours, std::string> read_part_contours(const Host& host, const std::string& file,
-                                                                  const ContourSelection& selection) {
-    if (!solid::is_solid_file(file))
-        return tl::unexpected(std::string("--contours is for STEP and IGES files"));
+Result<solid::WallContours> read_part_contours(const Host& host, const std::string& file,
+                                               const ContourSelection& selection) {
+    if (!solid::is_solid_file(file)) return Unexpected("--contours applies to STEP and IGES files");
     if (!host.read_contours) {
-        return tl::unexpected(
-            fmt::format("{}: STEP and IGES files are not read here; DXF and SVG files are", file));
+        return Unexpected(
+            fmt::format("{}: STEP and IGES files are not supported here, only DXF and SVG files", file));
     }
     return host.read_contours(file, selection).map(to_wall_contours);
 }
 
-tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,
-                                                                  const DrawingRequest& request) {
+Result<solid::WallContours> read_surface_input(const Host& host, const std::string& file,
+                                               const DrawingRequest& request) {
     ContourSelection selection = request.surface->contours;
     selection.tolerance_mm = request.reading.curve_tolerance_mm;
     return read_part_contours(host, file, selection);
 }
 
-tl::expected<void, std::string> choose_contours(std::string_view script, const std::string& file_name,
-                                                solid::WallContours& part) {
+Result<void> choose_contours(std::string_view script, const std::string& file_name,
+                             solid::WallContours& part) {
     std::vector<script::ContourDescription> facts;
     facts.reserve(part.contours.size());
-    for (const solid::WallContour& contour : part.contours) facts.push_back(contour_facts(contour));
+    for (const solid::WallContour& contour : part.contours) facts.push_back(describe_contour(contour));
     const auto selected = script::choose_contours(script, file_name, facts);
     if (!selected) return tl::unexpected(selected.error());
     std::vector<solid::WallContour> kept;
@@ -130,8 +131,8 @@ tl::expected<void, std::string> choose_contours(std::string_view script, const s
         if ((*selected)[i]) kept.push_back(std::move(part.contours[i]));
     }
     if (kept.empty()) {
-        return tl::unexpected(
-            fmt::format("{}:1: the script chooses none of the {} contours", file_name, part.contours.size()));
+        return Unexpected(
+            fmt::format("{}:1: the script selects 0 of the {} contours", file_name, part.contours.size()));
     }
     part.contours = std::move(kept);
     return {};

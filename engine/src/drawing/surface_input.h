@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "cam/solid/contours.h"
 #include "cam/surface/surface_path.h"
 #include "engine/drawing_path.h"
@@ -12,24 +11,23 @@
 
 namespace gsim::engine {
 
-/// Returns a message about options in a request for contours that are only for drawings and flat parts;
-/// empty: none.
-std::string find_contour_option_error(const DrawingRequest& request);
+/// Returns an error if a request for contours has options that are only for drawings and flat parts.
+std::optional<gsim::Error> find_contour_option_error(const DrawingRequest& request);
 
 /// Returns the facts about a contour for scripts and lists.
-script::ContourDescription contour_facts(const solid::WallContour& contour);
+script::ContourDescription describe_contour(const solid::WallContour& contour);
 
-/// Reads contours of a part through the host. The error is a message.
-tl::expected<solid::WallContours, std::string> read_part_contours(const Host& host, const std::string& file,
-                                                                  const ContourSelection& selection);
+/// Reads contours of a part through the host.
+Result<solid::WallContours> read_part_contours(const Host& host, const std::string& file,
+                                               const ContourSelection& selection);
 
 /// Reads those of a request, with its tolerance.
-tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,
-                                                                  const DrawingRequest& request);
+Result<solid::WallContours> read_surface_input(const Host& host, const std::string& file,
+                                               const DrawingRequest& request);
 
 /// Keeps the contours for which the script of a file is true. The error is "file:line: message".
-tl::expected<void, std::string> choose_contours(std::string_view script, const std::string& file_name,
-                                                solid::WallContours& part);
+Result<void> choose_contours(std::string_view script, const std::string& file_name,
+                             solid::WallContours& part);
 
 /// Returns the options for making a path from the contours that a request names.
 surface::SurfaceOptions surface_options(const DrawingRequest& request);

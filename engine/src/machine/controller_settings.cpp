@@ -19,7 +19,7 @@ using text::DiagnosticKind;
 
 namespace {
 
-using ExpectedImport = tl::expected<import::ImportResult, std::string>;
+using ExpectedImport = Result<import::ImportResult>;
 
 constexpr const char* kToolTableExtension = ".tbl";
 constexpr const char* kParameterTableExtension = ".var";
@@ -62,7 +62,7 @@ std::vector<Diagnostic> left_out_diagnostics(const import::ImportResult& importe
                                .text = std::move(message)});
     };
     for (const std::string& warning : imported.warnings) add(Severity::warning, warning);
-    for (const std::string& entry : imported.left_out) add(Severity::note, "not taken over: " + entry);
+    for (const std::string& entry : imported.left_out) add(Severity::note, "not imported: " + entry);
     return diagnostics;
 }
 
@@ -88,16 +88,16 @@ tl::expected<ControllerSettings, Error> ControllerSettings::read(std::string_vie
         };
         if (!is_table(name) && !import::is_controller_file(text, name)) {
             return unexpected_error(
-                fmt::format("'{}' is no LinuxCNC .ini, .tbl or .var, and has no lines as grbl "
-                            "answers to $$ ($110=500.000)",
+                fmt::format("'{}' is not a LinuxCNC .ini, .tbl or .var, and has no lines of grbl's response "
+                            "to $$ ($110=500.000)",
                             name));
         }
         auto imported = is_table(name) ? read_table(text, name, options)
                                        : import::import_machine(text, name, files.impl());
-        if (!imported) return unexpected_error(imported.error());
-        tl::expected<std::string, std::string> machine_file;
+        if (!imported) return unexpected_error(imported.error().message);
+        Result<std::string> machine_file;
         if (!is_table(name)) machine_file = import::machine_toml(*imported, name);
-        if (!machine_file) return unexpected_error(machine_file.error());
+        if (!machine_file) return unexpected_error(machine_file.error().message);
         auto left_out = left_out_diagnostics(*imported, name);
         return ControllerSettings(std::make_unique<State>(
             State{*std::move(imported), *std::move(machine_file), std::move(left_out)}));
@@ -123,8 +123,8 @@ bool ControllerSettings::has_machine_data() const {
 
 tl::expected<std::string, Error> ControllerSettings::machine_data() const {
     return guard_exceptions([this] {
-        return import::machine_data_text(state_->imported).map_error([](const std::string& message) {
-            return make_error(DiagnosticKind::input_file, message);
+        return import::machine_data_text(state_->imported).map_error([](const gsim::Error& error) {
+            return make_error(DiagnosticKind::input_file, error.message);
         });
     });
 }

@@ -20,8 +20,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-using UnexpectedMessage = tl::unexpected<std::string>;
-
 ordered_json value_to_json(const DataField& field, const std::string& value) {
     if (field.quantity == Quantity::text) return value;
     if (field.quantity == Quantity::integer) return machine::parse_number<int>(value).value_or(0);
@@ -35,12 +33,12 @@ class JsonReader {
     JsonReader(std::string file_name, std::span<const machine::Axis> axes)
         : file_name_(std::move(file_name)), axes_(axes), rules_(axes) {}
 
-    tl::expected<MachineDataDocument, std::string> read(const ordered_json& json) {
-        if (!json.is_object()) return error("this is no JSON object with a list for each section");
+    Result<MachineDataDocument> read(const ordered_json& json) {
+        if (!json.is_object()) return error("this must be a JSON object with a list for each section");
         for (const auto& [name, entries] : json.items()) {
             const auto section = machine::find_section(name);
-            if (!section) return error(fmt::format("'{}' is no section", machine::printable_word(name)));
-            if (!entries.is_array()) return error(fmt::format("{} is no list", name));
+            if (!section) return error(fmt::format("'{}' is not a section", machine::printable_word(name)));
+            if (!entries.is_array()) return error(fmt::format("{} is not a list", name));
             text_ += fmt::format("{}\n", name);
             for (const ordered_json& entry : entries) {
                 if (auto result = add(rules_.of(*section), entry); !result)
@@ -53,40 +51,40 @@ class JsonReader {
     }
 
   private:
-    UnexpectedMessage error(std::string_view message) const {
-        return UnexpectedMessage(fmt::format("{}: {}", file_name_, message));
+    Unexpected error(std::string_view message) const {
+        return Unexpected(fmt::format("{}: {}", file_name_, message));
     }
 
-    UnexpectedMessage error(const SectionRules& rules, std::string_view id, std::string_view message) const {
+    Unexpected error(const SectionRules& rules, std::string_view id, std::string_view message) const {
         return error(fmt::format("{} {}: {}", rules.keyword, machine::printable_word(id), message));
     }
 
-    tl::expected<void, std::string> add(const SectionRules& rules, const ordered_json& entry) {
+    Result<void> add(const SectionRules& rules, const ordered_json& entry) {
         const auto id = entry.is_object() ? entry.find("id") : entry.end();
         if (!entry.is_object() || id == entry.end() || !(id->is_string() || id->is_number_integer()))
-            return error(fmt::format("an entry of {} is no object with an \"id\"", rules.keyword));
+            return error(fmt::format("an entry of {} must be an object with an \"id\"", rules.keyword));
         DataRow row;
         row.id = id->is_string() ? id->get<std::string>() : id->dump();
         row.values.resize(rules.fields.size());
         for (const auto& [name, value] : entry.items()) {
             if (name == "id") continue;
-            if (auto set = set_value(rules, row, name, value); !set) return error(rules, row.id, set.error());
+            if (auto set = set_value(rules, row, name, value); !set)
+                return error(rules, row.id, set.error().message);
         }
         return add_line(rules, row);
     }
 
-    static tl::expected<void, std::string> set_value(const SectionRules& rules, DataRow& row,
-                                                     const std::string& name, const ordered_json& value) {
+    static Result<void> set_value(const SectionRules& rules, DataRow& row, const std::string& name,
+                                  const ordered_json& value) {
         if (name == "unit" && rules.has_unit) {
             if (value != "inch" && value != "metric")
-                return UnexpectedMessage("the unit is \"inch\" or \"metric\"");
+                return Unexpected("the unit must be \"inch\" or \"metric\"");
             row.unit = value == "inch" ? machine::LengthUnit::inch : machine::LengthUnit::metric;
             return {};
         }
         const auto index = rules.find(name);
         if (!index)
-            return UnexpectedMessage(
-                fmt::format("{} has no '{}'", rules.keyword, machine::printable_word(name)));
+            return Unexpected(fmt::format("{} has no '{}'", rules.keyword, machine::printable_word(name)));
         const DataField& field = rules.fields[*index];
         std::string& text = row.values[*index];
         if (value.is_null() && field.may_be_unlimited) {
@@ -96,30 +94,29 @@ class JsonReader {
                    : value.is_number_integer() ? value.dump()
                                                : machine::number_text(value.get<double>());
         } else {
-            return UnexpectedMessage(
-                fmt::format("{} is no {}", name, field.quantity == Quantity::text ? "text" : "number"));
+            return Unexpected(
+                fmt::format("{} is not a {}", name, field.quantity == Quantity::text ? "string" : "number"));
         }
         if (machine::is_data_word(text)) return {};
-        return UnexpectedMessage(
-            fmt::format("{}: '{}' is not one word", name, machine::printable_word(text)));
+        return Unexpected(fmt::format("{}: '{}' must be one word", name, machine::printable_word(text)));
     }
 
-    tl::expected<void, std::string> add_line(const SectionRules& rules, const DataRow& row) {
+    Result<void> add_line(const SectionRules& rules, const DataRow& row) {
         const auto end = row.values.begin() + static_cast<std::ptrdiff_t>(rules.positional());
         const auto gap = std::find(row.values.begin(), end, "");
         if (std::any_of(gap, end, [](const std::string& value) { return !value.empty(); })) {
             const auto field = static_cast<std::size_t>(gap - row.values.begin());
             return error(rules, row.id,
-                         fmt::format("{} is missing, and values stand behind it", rules.fields[field].name));
+                         fmt::format("{} is missing, but later values are given", rules.fields[field].name));
         }
-        if (!machine::is_data_word(row.id)) return error(rules, row.id, "the id is not one word");
+        if (!machine::is_data_word(row.id)) return error(rules, row.id, "the id must be one word");
         const std::string line = machine::row_line(rules, row);
         const auto read = machine::read_row(rules, machine::data_words(line));
         if (!read) return error(rules, row.id, read.error().message);
         if (!keys_.insert(machine::data_key(rules.section, read->row.id)).second)
             return error(rules, row.id, "it is given twice");
         if (const auto name = machine::name_key(rules, read->row); name && !keys_.insert(*name).second)
-            return error(rules, row.id, "its NAME is that of another one");
+            return error(rules, row.id, "its NAME is already used by another entry");
         text_ += fmt::format("{}\n", line);
         return {};
     }
@@ -153,16 +150,14 @@ ordered_json data_to_json(const MachineDataDocument& document) {
     return json;
 }
 
-tl::expected<MachineDataDocument, std::string> data_from_json(std::string_view text,
-                                                              const std::string& file_name,
-                                                              std::span<const machine::Axis> axes) {
+Result<MachineDataDocument> data_from_json(std::string_view text, const std::string& file_name,
+                                           std::span<const machine::Axis> axes) {
     try {
         return JsonReader(file_name, axes).read(text::parse_json<ordered_json>(text));
     } catch (const ordered_json::parse_error& error) {
-        return UnexpectedMessage(fmt::format("{}: byte {}: this is no JSON", file_name, error.byte));
+        return Unexpected(fmt::format("{}: byte {}: this is not valid JSON", file_name, error.byte));
     } catch (const ordered_json::out_of_range&) {
-        return UnexpectedMessage(
-            fmt::format("{}: a number in it is too large: 1e308 is about the most", file_name));
+        return Unexpected(fmt::format("{}: a number is too large: the max is about 1e308", file_name));
     }
 }
 

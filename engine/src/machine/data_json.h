@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/text/json.h"
 #include "machine/data/machine_data_document.h"
 
@@ -20,8 +19,7 @@ nlohmann::ordered_json row_to_json(const machine::SectionRules& rules, const mac
 nlohmann::ordered_json data_to_json(const machine::MachineDataDocument& document);
 
 /// Returns the inverse conversion, as a separate file. The error is a message that begins with `file_name`.
-tl::expected<machine::MachineDataDocument, std::string> data_from_json(std::string_view text,
-                                                                       const std::string& file_name,
-                                                                       std::span<const machine::Axis> axes);
+Result<machine::MachineDataDocument> data_from_json(std::string_view text, const std::string& file_name,
+                                                    std::span<const machine::Axis> axes);
 
 }  // namespace gsim::engine

@@ -55,8 +55,8 @@ class MachineDataLinter {
             const double value = row.number(rules, i);
             if (value >= axis.min && value <= axis.max) continue;
             warn(rules, row, i,
-                 fmt::format("{} of {} {} is {} {}, beyond the machine's {} to {}", rules.fields[i].name,
-                             rules.keyword, row.id, value,
+                 fmt::format("{} of {} {} is {} {}, outside the machine's range of {} to {}",
+                             rules.fields[i].name, rules.keyword, row.id, value,
                              axis.kind == machine::AxisKind::linear ? "mm" : "deg", axis.min, axis.max));
         }
     }
@@ -80,7 +80,7 @@ class MachineDataLinter {
             }
         }
         warn(rules, row, 0,
-             fmt::format("{} stands for '{}', which is no word of {}", row.id, row.values[0],
+             fmt::format("{} is an alias of '{}', which is not a word of {}", row.id, row.values[0],
                          dialect.title()));
     }
 
@@ -88,7 +88,7 @@ class MachineDataLinter {
         const auto state = rules.find("STATE"), number = rules.find("SWITCH");
         if (!state || !number || row.values[*state] != "OFF" || !row.values[*number].empty()) return;
         warn(rules, row, state,
-             fmt::format("zone {} is off at the start and has no SWITCH: it is never in force", row.id));
+             fmt::format("zone {} is off at the start and has no SWITCH: it is never active", row.id));
     }
 
     const MachineDataDocument& document_;

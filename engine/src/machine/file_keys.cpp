@@ -25,14 +25,14 @@ const char* kind_name(KeyKind kind) {
 }
 
 void add_range(ordered_json& json, const NumberRange& range) {
-    json[range.exclusive_min ? "above" : "least"] = range.min;
-    json[range.exclusive_max ? "below" : "most"] = range.max;
+    json[range.exclusive_min ? "above" : "min"] = range.min;
+    json[range.exclusive_max ? "below" : "max"] = range.max;
     auto others = ordered_json::array();
     if (range.allows_zero) others.push_back(0);
     if (range.allows_infinite) others.push_back("inf");
     if (range.allows_infinite && range.min < 0) others.push_back("-inf");
     if (!others.empty()) json["or"] = std::move(others);
-    if (range.integer_only) json["whole"] = true;
+    if (range.integer_only) json["integer"] = true;
 }
 
 /// A number that is not finite has the same form as in the response to `toml`.
@@ -59,7 +59,7 @@ ordered_json key_json(const KeySchema& key) {
 
 ordered_json table_json(const TableSchema& table) {
     ordered_json json{{"at", table.at}, {"many", table.many}, {"meaning", table.meaning}};
-    if (!table.where_key.empty()) json["where"] = {{table.where_key, table.where_value}};
+    if (!table.condition_key.empty()) json["where"] = {{table.condition_key, table.condition_value}};
     json["keys"] = ordered_json::array();
     for (const KeySchema& key : table.keys) json["keys"].push_back(key_json(key));
     return json;

@@ -65,7 +65,7 @@ class Machine::State {
         }
         const std::size_t work = frames.find("work").value();
         if (frames.link(*frame) != frames.link(work))
-            return unexpected_error(fmt::format("'{}' does not go along with the work", name));
+            return unexpected_error(fmt::format("'{}' does not move with the workpiece", name));
         return to_frame_pose(frames.pose_in_link(work), frames.pose_in_link(*frame));
     }
 
@@ -93,7 +93,7 @@ class Machine::State {
             text +=
                 fmt::format("volume: {:.6g} l, {} triangles, ", envelope::volume_mm3(volume_->surface) / 1e6,
                             volume_->surface.triangles.size());
-            text += volume_->step_mm > 0 ? fmt::format("to {:.3g} mm (grid of {:.3g} mm)\n",
+            text += volume_->step_mm > 0 ? fmt::format("within {:.3g} mm (grid of {:.3g} mm)\n",
                                                        volume_->error_mm, volume_->step_mm)
                                          : std::string("exact\n");
         }
@@ -101,7 +101,8 @@ class Machine::State {
         double error_mm = 0;
         for (const envelope::PairOutline& outline : *outlines_)
             error_mm = std::max(error_mm, outline.error_mm);
-        return text + fmt::format("pairs of axes: {}, outlines to {:.3g} mm\n", outlines_->size(), error_mm);
+        return text +
+               fmt::format("pairs of axes: {}, outlines within {:.3g} mm\n", outlines_->size(), error_mm);
     }
 
   private:

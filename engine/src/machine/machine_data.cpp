@@ -40,7 +40,7 @@ tl::expected<DataSection, Error> parse_section(const std::string& name) {
     for (const DataSection section : machine::kDataSections)
         names += fmt::format("{}{}", names.empty() ? "" : ", ", machine::keyword(section));
     return unexpected_error(
-        fmt::format("'{}' is no section; there are {}", machine::printable_word(name), names));
+        fmt::format("'{}' is not a section; known sections: {}", machine::printable_word(name), names));
 }
 
 tl::expected<MachineDataDocument::FieldValues, Error> field_values(std::span<const std::string> changes) {
@@ -49,7 +49,7 @@ tl::expected<MachineDataDocument::FieldValues, Error> field_values(std::span<con
     for (const std::string& change : changes) {
         const std::size_t equals = change.find('=');
         if (equals == std::string::npos)
-            return unexpected_error(fmt::format("'{}' is no FIELD=VALUE", machine::printable_word(change)));
+            return unexpected_error(fmt::format("'{}' must be FIELD=VALUE", machine::printable_word(change)));
         values.emplace_back(machine::upper_case(change.substr(0, equals)), change.substr(equals + 1));
     }
     return values;
@@ -100,8 +100,8 @@ struct MachineData::State {
     MachineDataDocument document;
 
     /// Returns the result of a change; an error gets the name of the file.
-    tl::expected<void, Error> changed(const MachineDataDocument::EditResult& done) const {
-        if (!done) return unexpected_error(fmt::format("{}: {}", name, done.error()));
+    tl::expected<void, Error> changed(const Result<void>& done) const {
+        if (!done) return unexpected_error(fmt::format("{}: {}", name, done.error().message));
         return {};
     }
 };
@@ -137,9 +137,10 @@ tl::expected<MachineData, Error> MachineData::read(std::string_view text, std::s
         State& state = *data.state_;
         auto document = MachineDataDocument::read(text, state.name, axes_of(state.machine));
         if (!document) {
-            for (const std::string& message : document.error()) {
+            for (const gsim::Error& error : document.error()) {
                 if (on_diagnostic)
-                    on_diagnostic(to_diagnostic(text::to_diagnostic(DiagnosticKind::input_file, message)));
+                    on_diagnostic(
+                        to_diagnostic(text::to_diagnostic(DiagnosticKind::input_file, error.message)));
             }
             Error error = make_error(DiagnosticKind::input_file, document.error().front());
             error.in_program = true;
@@ -155,7 +156,7 @@ tl::expected<MachineData, Error> MachineData::from_json(std::string_view json, s
     return guard_exceptions([&]() -> tl::expected<MachineData, Error> {
         MachineData data(std::move(name), machine);
         auto document = data_from_json(json, data.state_->name, axes_of(data.state_->machine));
-        if (!document) return unexpected_error(document.error());
+        if (!document) return unexpected_error(document.error().message);
         data.state_->document = *std::move(document);
         return data;
     });
@@ -175,7 +176,7 @@ tl::expected<std::string, Error> MachineData::to_json() const {
             return data_to_json(state_->document).dump(2) + '\n';
         } catch (const nlohmann::json::type_error&) {
             return unexpected_error(
-                fmt::format("{}: JSON is UTF-8, and a word in this file is not", state_->name));
+                fmt::format("{}: JSON must be UTF-8, but a word in this file is not", state_->name));
         }
     });
 }
@@ -200,7 +201,7 @@ tl::expected<std::string, Error> MachineData::get(Format form, const std::string
         if (!found) return tl::unexpected(found.error());
         const SectionRules& rules = state_->document.rules().of(*found);
         const auto row = state_->document.find(*found, id);
-        if (!row) return unexpected_error(fmt::format("there is no {} {} in the file", rules.keyword, id));
+        if (!row) return unexpected_error(fmt::format("{} {} does not exist in the file", rules.keyword, id));
         if (!field.empty()) return field_value(rules, *row, field, form);
         return form == Format::json ? json_text(row_to_json(rules, *row)) : data_list(rules, *row);
     });

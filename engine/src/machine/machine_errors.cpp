@@ -17,7 +17,7 @@ using Messages = std::vector<std::string>;
 
 Messages find_errors(const Request& request) {
     const auto found = resolve_machine_files(request);
-    if (!found) return {found.error()};
+    if (!found) return {found.error().message};
     Messages errors;
     const auto input =
         read_machine_input(request.host, found->request.machine, found->machine_named_by, &errors);
@@ -27,7 +27,7 @@ Messages find_errors(const Request& request) {
                           ? read_cell_contents(cell_source, input->machine)
                           : cell::read_cell(cell_source.text, cell_source.file, input->machine, {},
                                             cell_source.files, &errors);
-    if (!cell && errors.empty()) errors.push_back(cell.error());
+    if (!cell && errors.empty()) errors.push_back(cell.error().message);
     return errors;
 }
 

@@ -19,26 +19,24 @@ MachineInput from_controller_settings(import::ImportResult imported, const std::
     input.notes = std::move(imported.warnings);
     if (!imported.left_out.empty()) {
         input.notes.push_back(
-            fmt::format("{}: lines that are not taken over: {}; gsim-data import {} lists them", file,
+            fmt::format("{}: lines that are not imported: {}; gsim-data import {} lists them", file,
                         imported.left_out.size(), file));
     }
     return input;
 }
 
 // The words that switch the process of a machine must be those of a dialect.
-tl::expected<machine::Machine, std::string> read_machine_file(const std::string& text,
-                                                              const std::string& file, const os::Files& files,
-                                                              std::vector<std::string>* errors) {
+Result<machine::Machine> read_machine_file(const std::string& text, const std::string& file,
+                                           const os::Files& files, std::vector<std::string>* errors) {
     auto machine = machine::read_machine(text, file, files, errors);
     if (!machine || !machine->process) return machine;
-    if (const auto error = check_process(*machine->process))
-        return tl::unexpected(fmt::format("{}: {}", file, *error));
+    if (const auto error = find_process_error(*machine->process))
+        return Unexpected(fmt::format("{}: {}", file, error->message));
     return machine;
 }
 
-tl::expected<MachineInput, std::string> read_input(const Host& host, const std::string& name,
-                                                   os::NameSource name_source,
-                                                   std::vector<std::string>* errors) {
+Result<MachineInput> read_input(const Host& host, const std::string& name, os::NameSource name_source,
+                                std::vector<std::string>* errors) {
     const auto plain = [](machine::Machine machine) { return MachineInput{std::move(machine), {}, {}}; };
     if (name.empty())
         return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").map(plain);
@@ -55,16 +53,14 @@ tl::expected<MachineInput, std::string> read_input(const Host& host, const std::
 
 }  // namespace
 
-tl::expected<MachineInput, std::string> read_machine_input(const Host& host, const std::string& name,
-                                                           os::NameSource name_source,
-                                                           std::vector<std::string>* errors) {
+Result<MachineInput> read_machine_input(const Host& host, const std::string& name, os::NameSource name_source,
+                                        std::vector<std::string>* errors) {
     auto input = read_input(host, name, name_source, errors);
-    if (!input && errors != nullptr && errors->empty()) errors->push_back(input.error());
+    if (!input && errors != nullptr && errors->empty()) errors->push_back(input.error().message);
     return input;
 }
 
-tl::expected<machine::ProgramTable, std::string> read_program_input(const Host& host,
-                                                                    const std::string& name) {
+Result<machine::ProgramTable> read_program_input(const Host& host, const std::string& name) {
     const auto file = resolve_name(host, NameKind::machine, name);
     if (!file) return tl::unexpected(file.error());
     const auto text = host.files.impl().read_text(*file, os::NameSource::command_line);

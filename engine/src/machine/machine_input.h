@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/input_file.h"
 #include "engine/host.h"
 #include "machine/data/machine_data.h"
@@ -23,12 +22,10 @@ struct MachineInput {
 
 /// Reads it; an empty name is the built-in machine. The error is a message; `faults`, if given, receives all
 /// errors, the first one first.
-tl::expected<MachineInput, std::string> read_machine_input(const Host& host, const std::string& name,
-                                                           os::NameSource name_source,
-                                                           std::vector<std::string>* errors = nullptr);
+Result<MachineInput> read_machine_input(const Host& host, const std::string& name, os::NameSource name_source,
+                                        std::vector<std::string>* errors = nullptr);
 
 /// Reads only its data about programs: a machine file is not read any further.
-tl::expected<machine::ProgramTable, std::string> read_program_input(const Host& host,
-                                                                    const std::string& name);
+Result<machine::ProgramTable> read_program_input(const Host& host, const std::string& name);
 
 }  // namespace gsim::engine

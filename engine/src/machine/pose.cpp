@@ -7,7 +7,7 @@
 
 #include "base/text/number.h"
 #include "base/units.h"
-#include "collision/monitor/touching.h"
+#include "collision/monitor/touching_pairs.h"
 #include "engine/src/conversions.h"
 #include "engine/src/guard_exceptions.h"
 #include "engine/src/machine/machine_parts.h"
@@ -58,28 +58,28 @@ class PoseSolver {
     }
 
   private:
-    static tl::unexpected<Error> unexpected_error(std::string message) {
-        return tl::unexpected(make_error(DiagnosticKind::usage, std::move(message)));
+    static tl::unexpected<Error> unexpected_error(const gsim::Error& error) {
+        return tl::unexpected(make_error(DiagnosticKind::usage, error));
     }
 
-    std::optional<std::string> check_values(const char* what,
-                                            const std::optional<std::vector<double>>& values) const {
+    std::optional<gsim::Error> find_value_error(const char* what,
+                                                const std::optional<std::vector<double>>& values) const {
         if (!values || values->size() == machine_.axes.size()) return std::nullopt;
-        return fmt::format("'{}' should have {} values, one for each axis of the machine, not {}", what,
+        return fmt::format("'{}' must have {} values, one for each axis of the machine, not {}", what,
                            machine_.axes.size(), values->size());
     }
 
-    std::optional<std::string> find_error() const {
+    std::optional<gsim::Error> find_error() const {
         const PoseRequest& of = options_;
         if (of.joints.has_value() == of.tcp_mm.has_value())
-            return "a pose is told by 'joints' or by 'tip_mm', by one of them";
+            return "a pose must have either 'joints' or 'tip_mm'";
         if (of.joints && (of.tool_axis || of.rpy_deg))
-            return "'tool_axis' and 'rpy_deg' go with 'tip_mm', not with 'joints'";
-        if (of.tool_axis && of.rpy_deg) return "'tool_axis' and 'rpy_deg' do not go together";
+            return "'tool_axis' and 'rpy_deg' require 'tip_mm', not 'joints'";
+        if (of.tool_axis && of.rpy_deg) return "'tool_axis' and 'rpy_deg' cannot be combined";
         if (of.tool_axis && vector(*of.tool_axis).norm() < kParallel)
-            return "'tool_axis' has no length, so that it has no direction";
-        if (auto error = check_values("joints", of.joints)) return error;
-        return check_values("near", of.near);
+            return "'tool_axis' must have a length greater than 0";
+        if (auto error = find_value_error("joints", of.joints)) return error;
+        return find_value_error("near", of.near);
     }
 
     rrs::JointPos joints_of(const std::vector<double>& values) const {

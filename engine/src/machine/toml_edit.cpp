@@ -22,13 +22,12 @@ using base::TomlEditor;
 using base::TomlPath;
 using nlohmann::ordered_json;
 using text::DiagnosticKind;
-using EditResult = tl::expected<void, std::string>;
 
 /// An operation, and the key that it needs in addition to "at".
 struct Operation {
     std::string_view name;
     std::string_view key;  ///< Empty: none.
-    EditResult (*run)(TomlEditor&, const TomlPath&, const ordered_json& value);
+    Result<void> (*run)(TomlEditor&, const TomlPath&, const ordered_json& value);
 };
 
 /// Returns the value in an order for people; unchanged if it is invalid.
@@ -41,29 +40,25 @@ ordered_json in_schema_order(const TomlPath& path, const ordered_json& value) {
     return sort_keys(value, keys);
 }
 
-EditResult set(TomlEditor& edit, const TomlPath& path, const ordered_json& value) {
+Result<void> set(TomlEditor& edit, const TomlPath& path, const ordered_json& value) {
     return edit.set(path, in_schema_order(path, value));
 }
-EditResult add(TomlEditor& edit, const TomlPath& path, const ordered_json& value) {
+Result<void> add(TomlEditor& edit, const TomlPath& path, const ordered_json& value) {
     return edit.add(path, in_schema_order(path, value));
 }
-EditResult remove(TomlEditor& edit, const TomlPath& path, const ordered_json& /*none*/) {
+Result<void> remove(TomlEditor& edit, const TomlPath& path, const ordered_json& /*none*/) {
     return edit.remove(path);
 }
-EditResult move(TomlEditor& edit, const TomlPath& path, const ordered_json& to) {
-    if (!to.is_number_unsigned())
-        return tl::unexpected(std::string("'to' should be the number of a place, from 0 on"));
+Result<void> move(TomlEditor& edit, const TomlPath& path, const ordered_json& to) {
+    if (!to.is_number_unsigned()) return Unexpected("'to' must be an index, from 0 on");
     return edit.move(path, to.get<std::size_t>());
 }
 
 constexpr std::array kOperations{Operation{"set", "value", set}, Operation{"add", "value", add},
                                  Operation{"remove", "", remove}, Operation{"move", "to", move}};
 
-tl::expected<TomlPath, std::string> toml_path(const ordered_json& at) {
-    const auto error = [] {
-        return tl::unexpected(
-            std::string("'at' should be a list of keys and of numbers of elements, from 0 on"));
-    };
+Result<TomlPath> toml_path(const ordered_json& at) {
+    const auto error = [] { return Unexpected("'at' must be a list of keys and of indices, from 0 on"); };
     if (!at.is_array()) return error();
     TomlPath path;
     for (const ordered_json& step : at) {
@@ -78,23 +73,22 @@ tl::expected<TomlPath, std::string> toml_path(const ordered_json& at) {
     return path;
 }
 
-EditResult change(TomlEditor& edit, const ordered_json& operation_json) {
-    if (!operation_json.is_object()) return tl::unexpected(std::string("a change should be an object"));
+Result<void> change(TomlEditor& edit, const ordered_json& operation_json) {
+    if (!operation_json.is_object()) return Unexpected("a change must be an object");
     const ordered_json name = operation_json.value("op", ordered_json());
     const auto* const operation =
         std::find_if(kOperations.begin(), kOperations.end(),
                      [&](const Operation& each) { return name.is_string() && name == each.name; });
-    if (operation == kOperations.end())
-        return tl::unexpected(std::string("'op' should be one of set, add, remove, move"));
+    if (operation == kOperations.end()) return Unexpected("'op' must be one of set, add, remove, move");
     for (const auto& [key, value] : operation_json.items()) {
         if (key != "op" && key != "at" && key != operation->key)
-            return tl::unexpected(fmt::format("there is no key '{}' of '{}'", key, operation->name));
+            return Unexpected(fmt::format("unknown key '{}' of '{}'", key, operation->name));
     }
     const auto path = toml_path(operation_json.value("at", ordered_json()));
     if (!path) return tl::unexpected(path.error());
     const auto value = operation_json.find(std::string(operation->key));
     if (!operation->key.empty() && value == operation_json.end())
-        return tl::unexpected(fmt::format("'{}' lacks the key '{}'", operation->name, operation->key));
+        return Unexpected(fmt::format("'{}' lacks the key '{}'", operation->name, operation->key));
     return operation->run(edit, *path, value == operation_json.end() ? ordered_json() : *value);
 }
 
@@ -110,7 +104,7 @@ tl::expected<TomlEditor, Error> read(const Host& host, const std::string& name,
     auto edit = TomlEditor::read(std::move(text), name);
     if (edit) return *std::move(edit);
     if (on_diagnostic)
-        on_diagnostic(to_diagnostic(text::to_diagnostic(DiagnosticKind::input_file, edit.error())));
+        on_diagnostic(to_diagnostic(text::to_diagnostic(DiagnosticKind::input_file, edit.error().message)));
     return tl::unexpected(make_error(DiagnosticKind::input_file, edit.error(), name));
 }
 
@@ -122,7 +116,7 @@ tl::expected<EditedToml, Error> edited_toml(const Host& host, const std::string&
     return guard_exceptions([&]() -> tl::expected<EditedToml, Error> {
         const auto operation_json = text::try_parse_json<ordered_json>(changes);
         if (!operation_json.is_array())
-            return tl::unexpected(make_error(DiagnosticKind::usage, "the changes should be a list"));
+            return tl::unexpected(make_error(DiagnosticKind::usage, "the changes must be a list"));
         auto edit = read(host, name, on_diagnostic);
         if (!edit) return tl::unexpected(edit.error());
         for (std::size_t i = 0; i < operation_json.size(); ++i) {
@@ -130,7 +124,8 @@ tl::expected<EditedToml, Error> edited_toml(const Host& host, const std::string&
             if (done) continue;
             const std::string change_prefix =
                 operation_json.size() > 1 ? fmt::format("change {}: ", i + 1) : std::string();
-            return tl::unexpected(make_error(DiagnosticKind::usage, change_prefix + done.error(), name));
+            return tl::unexpected(
+                make_error(DiagnosticKind::usage, change_prefix + done.error().message, name));
         }
         return EditedToml{edit->text(), edit->value().dump()};
     });

@@ -28,16 +28,13 @@ bool is_unchanged(const PathChanges& changes) {
     return is_same(changes.from, changes.to) && is_same(changes.place, {});
 }
 
-using ChangeError = tl::unexpected<std::string>;
-
-/// Returns the origin of the numbers of a path, X, Y and Z of the machine. The error is a message.
-tl::expected<path::Vector, std::string> program_origin(const path::Program& program,
-                                                       const PathContext& context, bool turns) {
+/// Returns the origin of the numbers of a path, X, Y and Z of the machine.
+Result<path::Vector> program_origin(const path::Program& program, const PathContext& context, bool turns) {
     const path::WorkFrame& frame = program.paths[program.root].frame;
     if (frame.set_offset_mm) return *frame.set_offset_mm;
     const std::vector<std::string>& systems = context.post.offsets.systems;
     // At the beginning, the machine's position gets its own coordinates.
-    if (frame.name.empty() && !context.post.start_position.empty()) return path::Vector{};
+    if (frame.name.empty() && !context.post.blocks.start_position.empty()) return path::Vector{};
     const std::string name = !frame.name.empty() || systems.empty() ? frame.name : systems.front();
     path::Vector origin_mm{};
     if (context.data == nullptr) return origin_mm;
@@ -47,8 +44,8 @@ tl::expected<path::Vector, std::string> program_origin(const path::Program& prog
         if (letter >= 'X' && letter <= 'Z') {
             origin_mm[static_cast<std::size_t>(letter - 'X')] = value;
         } else if (turns && value != 0) {
-            return ChangeError(
-                fmt::format("the path cannot be turned: its work offset G{} moves {}", name, letter));
+            return Unexpected(
+                fmt::format("the path cannot be rotated: its work offset G{} moves {}", name, letter));
         }
     }
     return origin_mm;
@@ -65,41 +62,39 @@ Eigen::Vector3d approach_vector(const path::MachineSpace& space, const path::Vec
     return space.tcp(at) - space.tcp(zero);
 }
 
-tl::expected<void, std::string> transform_path(path::PathFile& file, const PathContext& context,
-                                               const path::MachineSpace& space, const PathChanges& changes) {
+Result<void> transform_path(path::PathFile& file, const PathContext& context, const path::MachineSpace& space,
+                            const PathChanges& changes) {
     const rrs::CartPos motion =
         to_pose(changes.to) * to_pose(changes.place) * to_pose(changes.from).inverse(Eigen::Isometry);
     const auto origin_mm = program_origin(file.program, context, !motion.linear().isIdentity(1e-12));
-    if (!origin_mm) return ChangeError(file.file_name + ": " + origin_mm.error());
+    if (!origin_mm) return Unexpected(file.file_name + ": " + origin_mm.error().message);
     const Eigen::Translation3d to_work(approach_vector(space, *origin_mm));
     const rrs::CartPos program_motion = rrs::CartPos(to_work.inverse()) * motion * rrs::CartPos(to_work);
-    return path::place(file.program, program_motion, space).map_error([&](const path::Error& error) {
-        return file.with_location(error.where, error.message);
+    return path::place(file.program, program_motion, space).map_error([&](const path::TargetError& error) {
+        return gsim::Error(file.with_location(error.where, error.message));
     });
 }
 
 }  // namespace
 
-tl::expected<void, std::string> change_path(path::PathFile& file, const PathContext& context,
-                                            const PathChanges& changes) {
-    using VoidResult = tl::expected<void, std::string>;
-    const auto with_location = [&](const path::Error& error) {
-        return file.with_location(error.where, error.message);
+Result<void> change_path(path::PathFile& file, const PathContext& context, const PathChanges& changes) {
+    const auto with_location = [&](const path::TargetError& error) {
+        return gsim::Error(file.with_location(error.where, error.message));
     };
     for (const PathChanges::Feed& feed : changes.feeds) {
         const auto changed = path::change_feeds(file.program, {feed.path, feed.value, feed.is_factor});
-        if (!changed) return ChangeError(file.file_name + ": " + changed.error());
+        if (!changed) return Unexpected(file.file_name + ": " + changed.error().message);
     }
     if (is_unchanged(changes) && changes.order.empty()) return {};
     const auto space = path::MachineSpace::make(context.machine);
-    if (!space) return ChangeError(space.error());
+    if (!space) return Unexpected(space.error().message);
     if (!is_unchanged(changes)) {
         if (auto done = transform_path(file, context, *space, changes); !done) return done;
     }
     if (changes.order.empty()) return {};
     return path::reorder(file.program, changes.order, *space)
         .map_error(with_location)
-        .and_then([&]() -> VoidResult {
+        .and_then([&]() -> Result<void> {
             // Messages name targets by their positions in the file.
             std::vector<path::SourceLocation>& locations = file.targets[file.program.root];
             const std::vector<path::SourceLocation> before = locations;

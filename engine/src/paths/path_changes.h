@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "codegen/post/post.h"
 #include "engine/path_translation.h"
 #include "machine/data/machine_data.h"
@@ -21,7 +20,6 @@ struct PathContext {
 
 /// Applies the changes of a request to a path that has been read, with complete frames and points. The error
 /// names the source location in its file.
-tl::expected<void, std::string> change_path(path::PathFile& file, const PathContext& context,
-                                            const PathChanges& changes);
+Result<void> change_path(path::PathFile& file, const PathContext& context, const PathChanges& changes);
 
 }  // namespace gsim::engine

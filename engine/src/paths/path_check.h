@@ -5,9 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
-#include "codegen/post/action_words.h"
+#include "base/error.h"
+#include "codegen/post/action_blocks.h"
 #include "codegen/post/post.h"
 #include "toolpath/rotary/axis_moves.h"
 
@@ -45,17 +44,17 @@ class PathCheck final : public path::MoveSink {
 
     /// Completes the check, once after all moves. The error is a message: elements for which the post has no
     /// words.
-    tl::expected<PathSummary, std::string> finish();
+    Result<PathSummary> finish();
 
   private:
-    void note_feeds();
+    void add_feed_notes();
     std::string error() const;
 
     const path::PathFile& file_;
     const codegen::Post& post_;
     bool uses_machine_coordinates_;
     bool keep_going_;
-    codegen::ActionWords words_;
+    codegen::ActionBlocks words_;
     std::vector<std::string> notes_;
     std::size_t count_ = 0;  ///< Number of notes on moves, listed or not.
     std::size_t accelerations_ = 0, retracts_ = 0;

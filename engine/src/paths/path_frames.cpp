@@ -29,7 +29,7 @@ void for_each_frame(const path::Program& program, const Visitor& visit) {
     }
 }
 
-std::optional<std::string> find_frame_error(const WorkFrame& frame, const codegen::Post& post) {
+std::optional<gsim::Error> find_frame_error(const WorkFrame& frame, const codegen::Post& post) {
     const std::vector<std::string>& systems = post.offsets.systems;
     if (frame.name.empty()) return std::nullopt;
     if (systems.empty())
@@ -38,29 +38,28 @@ std::optional<std::string> find_frame_error(const WorkFrame& frame, const codege
         return fmt::format("the post '{}' has no work offset G{}; it has G{}", post.name, frame.name,
                            text::joined(systems, ", G"));
     if (!frame.touches.empty() && post.touch.empty())
-        return fmt::format("the post '{}' has no words that find a work offset by touches ([probe] touch)",
+        return fmt::format("the post '{}' has no words to measure a work offset by touches ([probe] touch)",
                            post.name);
     if (frame.set_offset_mm && post.offsets.set.empty())
-        return fmt::format("the post '{}' has no word that sets a work offset ([offsets] set)", post.name);
+        return fmt::format("the post '{}' has no word to set a work offset ([offsets] set)", post.name);
     return std::nullopt;
 }
 
 // Sets the values of the request in a root that has none.
-std::optional<std::string> apply_defaults(path::Program& program, const PathRequest& request,
+std::optional<gsim::Error> apply_defaults(path::Program& program, const PathRequest& request,
                                           const codegen::Post& post) {
     const bool is_requested = !request.work_offset.empty() || request.set_offset_mm || request.tool;
     if (!is_requested) return std::nullopt;
     if (program.is_recorded())
-        return "work offsets and tools are of paths that no run has recorded; those of a recorded one are at "
-               "its "
+        return "work offsets and tools apply to paths that are not recorded; a recorded path has them at its "
                "points";
     path::Path& root = program.paths[program.root];
     const std::string requested_frame = path::frame_name(request.work_offset);
     if (root.frame.name.empty()) root.frame.name = requested_frame;
     if (request.set_offset_mm) {
         if (!requested_frame.empty() && root.frame.name != requested_frame) {
-            return fmt::format("the path names G{} itself, and is not put where G{} is to be set",
-                               root.frame.name, requested_frame);
+            return fmt::format("the path names G{}, so G{} cannot be set for it", root.frame.name,
+                               requested_frame);
         }
         if (root.frame.name.empty() && !post.offsets.systems.empty())
             root.frame.name = post.offsets.systems.front();
@@ -87,7 +86,7 @@ void PathFrames::add(const TargetId& where, const WorkFrame& frame) {
     if (!frame.touches.empty() && !is_found) found_.push_back({frame.name, &frame.touches, where});
 }
 
-std::optional<path::Error> PathFrames::check_touches(const path::MachineSpace& space) const {
+std::optional<path::TargetError> PathFrames::check_touches(const path::MachineSpace& space) const {
     for (const ProbedFrame& frame : found_) {
         const auto& position_mm = origins_mm_.find(frame.name)->second;
         if (!position_mm) continue;
@@ -95,10 +94,10 @@ std::optional<path::Error> PathFrames::check_touches(const path::MachineSpace& s
             std::map<char, double> at;
             for (std::size_t i = 0; i < 3; ++i)
                 at[static_cast<char>('X' + i)] = touch.from_mm[i] + (*position_mm)[i];
-            std::string error = space.axis_range_error(at);
+            auto error = space.find_axis_range_error(at);
             at[touch.axis] += touch.to_mm - touch.from_mm[static_cast<std::size_t>(touch.axis - 'X')];
-            if (error.empty()) error = space.axis_range_error(at);
-            if (!error.empty()) return path::Error{frame.where, std::move(error)};
+            if (!error) error = space.find_axis_range_error(at);
+            if (error) return path::TargetError{frame.where, std::move(error->message)};
         }
     }
     return std::nullopt;
@@ -130,12 +129,11 @@ std::vector<std::string> PathFrames::notes() const {
     }
     if (names.empty()) return {};
     return {fmt::format(
-        "the path does not say where {} lies, so whether X, Y and Z stay in their ranges is not looked at",
+        "the path does not define the position of {}, so the ranges of X, Y and Z are not checked",
         text::joined(names, ", "))};
 }
 
-tl::expected<void, std::string> complete_frames(path::PathFile& file, const PathRequest& request,
-                                                const codegen::Post& post) {
+Result<void> complete_frames(path::PathFile& file, const PathRequest& request, const codegen::Post& post) {
     path::Program& program = file.program;
     if (auto error = apply_defaults(program, request, post)) return tl::unexpected(*error);
     std::optional<std::string> error;
@@ -143,7 +141,7 @@ tl::expected<void, std::string> complete_frames(path::PathFile& file, const Path
     for_each_frame(program, [&](const TargetId& where, const WorkFrame& frame) {
         any = any || !frame.name.empty();
         const auto found = find_frame_error(frame, post);
-        if (found && !error) error = file.with_location(where, *found);
+        if (found && !error) error = file.with_location(where, found->message);
     });
     if (error) return tl::unexpected(*error);
     std::string& root_frame_name = program.paths[program.root].frame.name;

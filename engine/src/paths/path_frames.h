@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "codegen/post/post.h"
 #include "engine/path_translation.h"
 #include "toolpath/model/source_location.h"
@@ -33,7 +32,7 @@ class PathFrames {
     const std::vector<ProbedFrame>& found() const { return found_; }
     /// Returns an error if a touch is beyond the ranges of the axes, as far as that is known: for frames that
     /// the program places before it finds them.
-    std::optional<path::Error> check_touches(const path::MachineSpace& space) const;
+    std::optional<path::TargetError> check_touches(const path::MachineSpace& space) const;
     /// Writes the touches that find the frames to a sink, at the beginning of the program.
     void emit_touches(path::MoveSink& sink) const;
     /// Returns the positions of the frames that the program sets.
@@ -54,7 +53,6 @@ class PathFrames {
 /// Adds to the root the request's frames and tools that the path lacks. If some paths name a frame, all
 /// others get one: the first one of the post. The error is a message: the controller has no such frame, no
 /// word to set one, or the path may have none.
-tl::expected<void, std::string> complete_frames(path::PathFile& file, const PathRequest& request,
-                                                const codegen::Post& post);
+Result<void> complete_frames(path::PathFile& file, const PathRequest& request, const codegen::Post& post);
 
 }  // namespace gsim::engine

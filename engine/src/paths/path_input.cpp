@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/os/input_file.h"
+#include "engine/src/conversions.h"
 #include "runtime/script/paths/path_script.h"
 #include "toolpath/json/json_reader.h"
 
@@ -17,24 +18,19 @@ namespace gsim::engine {
 
 namespace {
 
-constexpr std::size_t kMostGivenBytes = std::size_t{1} << 30U;
+constexpr std::size_t kMaxInputBytes = std::size_t{1} << 30U;
 
-using Read = tl::expected<path::PathFile, PathError>;
+using text::DiagnosticKind;
+using Read = tl::expected<path::PathFile, Error>;
 
-PathError unreadable_error(std::string message) {
-    return {.in_path = false, .message = std::move(message)};
-}
-
-Read to_path_error(tl::expected<path::PathFile, std::string> read) {
-    return std::move(read).map_error(
-        [](std::string error) { return PathError{.in_path = true, .message = std::move(error)}; });
+tl::unexpected<Error> unreadable_error(const gsim::Error& error) {
+    return tl::unexpected(make_error(DiagnosticKind::file, error));
 }
 
 // Reads in parts, because a path may be long.
 Read read_system_file(const std::string& name) {
     const auto file = os::open_input(name, os::NameSource::command_line);
-    if (!file)
-        return tl::unexpected(unreadable_error(fmt::format("cannot read '{}': {}", name, file.error())));
+    if (!file) return unreadable_error(fmt::format("cannot read '{}': {}", name, file.error().message));
     const auto read = [&](char* buffer, std::size_t size) -> tl::expected<std::size_t, std::string> {
         const std::size_t count = std::fread(buffer, 1, size, file->get());
         if (std::ferror(file->get()) == 0) return count;
@@ -45,6 +41,12 @@ Read read_system_file(const std::string& name) {
 }
 
 }  // namespace
+
+Error path_error(const gsim::Error& error) {
+    Error result = make_error(DiagnosticKind::path, error);
+    result.in_program = true;
+    return result;
+}
 
 // After a read error, the part read before is not reported as an erroneous path.
 Read read_path_bytes(const PathRequest::ReadBytes& read, const std::string& name) {
@@ -57,7 +59,8 @@ Read read_path_bytes(const PathRequest::ReadBytes& read, const std::string& name
         return 0;
     };
     auto found = path::read_json(read_until_error, name);
-    return error ? tl::unexpected(unreadable_error(*std::move(error))) : to_path_error(std::move(found));
+    if (error) return unreadable_error(*error);
+    return std::move(found).map_error(path_error);
 }
 
 Read read_path(const os::Files& files, const std::string& name, const script::LuaState::Limits& limits,
@@ -65,10 +68,10 @@ Read read_path(const os::Files& files, const std::string& name, const script::Lu
     const bool is_script = std::filesystem::path(name).extension() == ".lua";
     if (!is_script && files.are_system_files()) return read_system_file(name);
     const auto text = is_script ? files.read_text(name, os::NameSource::command_line)
-                                : files.read(name, os::NameSource::command_line, kMostGivenBytes);
-    if (!text) return tl::unexpected(unreadable_error(text.error()));
-    return to_path_error(is_script ? script::run_path_script(*text, name, limits, cpu)
-                                   : path::read_json(*text, name));
+                                : files.read(name, os::NameSource::command_line, kMaxInputBytes);
+    if (!text) return unreadable_error(text.error());
+    auto found = is_script ? script::run_path_script(*text, name, limits, cpu) : path::read_json(*text, name);
+    return std::move(found).map_error(path_error);
 }
 
 }  // namespace gsim::engine

@@ -13,7 +13,6 @@ namespace gsim::engine {
 namespace {
 
 using path::MachinePoint;
-using OptionalMessage = std::optional<std::string>;
 
 constexpr std::size_t kMaxListed = 10;
 
@@ -36,9 +35,9 @@ std::string list_points(const Points& points) {
         texts.push_back(name == points.names.end() ? fmt::format("{}", number)
                                                    : fmt::format("{} ({})", number, name->second));
     }
-    if (texts.empty()) return "there are none";
+    if (texts.empty()) return "none are defined";
     const std::size_t more = points.values.size() - texts.size();
-    return fmt::format("there are {}{}", text::joined(texts, ", "),
+    return fmt::format("available: {}{}", text::joined(texts, ", "),
                        more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
@@ -52,9 +51,9 @@ const machine::AxisValues* find_point(const Points& points, const MachinePoint& 
     return found == points.values.end() ? nullptr : &found->second;
 }
 
-class Completer {
+class PointCompleter {
   public:
-    Completer(const PointTables& tables, const codegen::Post& post)
+    PointCompleter(const PointTables& tables, const codegen::Post& post)
         : tables_(tables),
           post_(post),
           homes_(machine::secondary_homes(tables.machine,
@@ -62,7 +61,7 @@ class Completer {
         for (const machine::Axis& axis : tables.machine.axes) homes_[1][axis.letter] = axis.home;
     }
 
-    OptionalMessage complete(MachinePoint& point) {
+    std::optional<gsim::Error> complete(MachinePoint& point) {
         const bool is_home = point.kind == MachinePoint::Kind::reference && point.alias.empty();
         if (auto error = is_home ? check_home_word(point) : check_point_word(point)) return error;
         return is_home ? complete_home(point) : complete_point(point);
@@ -71,13 +70,13 @@ class Completer {
     std::vector<std::string> notes() const {
         if (unknown_.empty()) return {};
         return {
-            fmt::format("neither the machine file nor machine data say where the reference points {} lie; "
-                        "Z goes there first, as if that led up",
+            fmt::format("neither the machine file nor machine data define the positions of the reference "
+                        "points {}; Z moves there first, as if it moved up",
                         text::joined(unknown_, ", "))};
     }
 
   private:
-    OptionalMessage complete_home(MachinePoint& point) {
+    std::optional<gsim::Error> complete_home(MachinePoint& point) {
         const auto home = homes_.find(point.number);
         if (home == homes_.end()) {
             unknown_.insert(point.number);
@@ -87,27 +86,27 @@ class Completer {
         return std::nullopt;
     }
 
-    OptionalMessage complete_point(MachinePoint& point) const {
+    std::optional<gsim::Error> complete_point(MachinePoint& point) const {
         if (tables_.data == nullptr)
-            return fmt::format("nothing says where {} lies; name the machine data by --machine-data",
+            return fmt::format("the position of {} is not defined; give the machine data with --machine-data",
                                path::point_title(point));
         const Points points = machine_points(*tables_.data, point.kind);
         const machine::AxisValues* values = find_point(points, point);
         if (values == nullptr)
-            return fmt::format("{} is not among those of {}; {}", path::point_title(point), tables_.data_name,
+            return fmt::format("{} is not defined in {}; {}", path::point_title(point), tables_.data_name,
                                list_points(points));
         point.axes = moved(*values);
         return std::nullopt;
     }
 
-    OptionalMessage check_point_word(const MachinePoint& point) const {
+    std::optional<gsim::Error> check_point_word(const MachinePoint& point) const {
         if (!post_.offsets.machine.empty()) return std::nullopt;
         return fmt::format(
-            "the post '{}' has no word for machine coordinates ([offsets] machine), by which the "
-            "machine would go to {}",
+            "the post '{}' has no word for machine coordinates ([offsets] machine), which are required to "
+            "move to {}",
             post_.name, path::point_title(point));
     }
-    OptionalMessage check_home_word(const MachinePoint& point) const {
+    std::optional<gsim::Error> check_home_word(const MachinePoint& point) const {
         const std::size_t count = post_.references.go.size();
         if (static_cast<std::size_t>(point.number) <= count) return std::nullopt;
         if (count == 0)
@@ -137,17 +136,16 @@ class Completer {
 
 }  // namespace
 
-tl::expected<std::vector<std::string>, std::string> complete_points(path::PathFile& file,
-                                                                    const PointTables& tables,
-                                                                    const codegen::Post& post) {
-    Completer completer(tables, post);
+Result<std::vector<std::string>> complete_points(path::PathFile& file, const PointTables& tables,
+                                                 const codegen::Post& post) {
+    PointCompleter completer(tables, post);
     for (std::size_t i = 0; i < file.program.paths.size(); ++i) {
         std::vector<path::Target>& targets = file.program.paths[i].targets;
         for (std::size_t target = 0; target < targets.size(); ++target) {
             auto* point = std::get_if<MachinePoint>(&targets[target]);
             if (point == nullptr) continue;
             if (const auto error = completer.complete(*point))
-                return tl::unexpected(file.with_location({i, target}, *error));
+                return tl::unexpected(file.with_location({i, target}, error->message));
         }
     }
     return completer.notes();

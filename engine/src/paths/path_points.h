@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "codegen/post/post.h"
 #include "machine/data/machine_data.h"
 #include "toolpath/model/source_location.h"
@@ -23,8 +22,7 @@ struct PointTables {
 /// points with a name. For other reference points, the machine file or the machine data may have home
 /// positions. Axes that paths do not move are left out. Returns messages for the user about them. The error
 /// is "file:line:column: message": an unknown fixed point, or the post has no word for the path to it.
-tl::expected<std::vector<std::string>, std::string> complete_points(path::PathFile& file,
-                                                                    const PointTables& tables,
-                                                                    const codegen::Post& post);
+Result<std::vector<std::string>> complete_points(path::PathFile& file, const PointTables& tables,
+                                                 const codegen::Post& post);
 
 }  // namespace gsim::engine

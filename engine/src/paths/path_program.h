@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "codegen/post/gcode_writer.h"
 #include "codegen/post/post.h"
 #include "engine/path_translation.h"
@@ -35,10 +36,8 @@ class PathProgram {
   public:
     /// Plans the axes and checks every move, so that writing cannot fail. The arguments must outlive the
     /// program. The error names the source location in the path's file.
-    static tl::expected<PathProgram, std::string> plan(const path::PathFile& file,
-                                                       const machine::Machine& machine,
-                                                       const codegen::Post& post,
-                                                       const PathProgramOptions& options);
+    static Result<PathProgram> plan(const path::PathFile& file, const machine::Machine& machine,
+                                    const codegen::Post& post, const PathProgramOptions& options);
 
     /// Returns messages for the user: sub-segments, unwinding, actions and values for which the post has no
     /// words.
@@ -62,15 +61,15 @@ class PathProgram {
 
     bool is_inlined() const { return !post_->subprogram; }
     Offsets offsets() const;
-    tl::expected<void, std::string> check_offsets() const;
-    tl::expected<void, std::string> check_work_offset(const std::string& name) const;
-    tl::expected<void, std::string> check_retract() const;
+    Result<void> check_offsets() const;
+    Result<void> check_work_offset(const std::string& name) const;
+    Result<void> check_retract() const;
     path::MoveOptions move_options() const;
     double retract_mm() const { return options_.retract_mm.value_or(space_.max_z_mm().value_or(0)); }
     std::optional<double> thread_lead(const path::AxisMove& move) const;
-    tl::expected<void, std::string> check_moves();
-    tl::expected<void, path::Error> check_size() const;
-    std::vector<codegen::WrittenAxis> written_axes() const;
+    Result<void> check_moves();
+    tl::expected<void, path::TargetError> check_size() const;
+    std::vector<codegen::GcodeAxis> written_axes() const;
     codegen::PlaceholderValues make_placeholders(std::size_t order) const;
     std::string program_file_name(std::size_t order) const;
     void write_path(std::size_t order, Sink& sink) const;

@@ -22,13 +22,7 @@ namespace {
 
 constexpr const char* kPostExtension = ".toml";
 
-Error path_error(std::string message) {
-    Error error = make_error(DiagnosticKind::path, std::move(message));
-    error.in_program = true;
-    return error;
-}
-
-tl::expected<codegen::Post, std::string> read_post(const Host& host, const std::string& name) {
+Result<codegen::Post> read_post(const Host& host, const std::string& name) {
     if (!std::filesystem::path(name).has_extension()) return codegen::find_post(name);
     const auto file = resolve_name(host, NameKind::sample, name);
     if (!file) return tl::unexpected(file.error());
@@ -39,7 +33,7 @@ tl::expected<codegen::Post, std::string> read_post(const Host& host, const std::
 }
 
 // Uses those of the machine's settings, unless the request names others.
-tl::expected<void, std::string> read_data(const PathRequest& request, MachineInput& input) {
+Result<void> read_data(const PathRequest& request, MachineInput& input) {
     if (request.machine_data.empty()) return {};
     const auto file = resolve_name(request.host, NameKind::sample, request.machine_data);
     if (!file) return tl::unexpected(file.error());
@@ -76,14 +70,14 @@ class PathTranslation::State {
           file_(std::move(file)),
           post_(std::move(post)),
           machine_(std::move(machine)),
-          cpu_(request_.cpu_s) {
-        cpu_.cancel_when(request_.cancel.flag());
+          cpu_limit_(request_.cpu_s) {
+        cpu_limit_.set_cancel_flag(request_.cancel.flag());
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
     const std::string& file() const { return file_; }
-    const os::CpuLimit& cpu() const { return cpu_; }
+    const os::CpuLimit& cpu() const { return cpu_limit_; }
     const PathProgram& program() const { return *program_; }
     const std::vector<std::string>& notes() const { return notes_; }
 
@@ -91,9 +85,8 @@ class PathTranslation::State {
         const script::LuaState::Limits limits{.memory_bytes =
                                                   static_cast<std::size_t>(request_.memory_bytes)};
         auto path = request_.bytes ? read_path_bytes(request_.bytes, file_)
-                                   : read_path(request_.host.files.impl(), file_, limits, &cpu_);
-        if (!path && path.error().in_path) return tl::unexpected(path_error(path.error().message));
-        if (!path) return tl::unexpected(make_error(DiagnosticKind::file, path.error().message));
+                                   : read_path(request_.host.files.impl(), file_, limits, &cpu_limit_);
+        if (!path) return tl::unexpected(path.error());
         path_ = *std::move(path);
         return {};
     }
@@ -124,7 +117,7 @@ class PathTranslation::State {
     std::string file_;
     codegen::Post post_;
     MachineInput machine_;
-    os::CpuLimit cpu_;
+    os::CpuLimit cpu_limit_;
     std::optional<path::PathFile> path_;
     std::optional<PathProgram> program_;
     std::vector<std::string> notes_;
@@ -132,15 +125,15 @@ class PathTranslation::State {
 
 tl::expected<PathTranslation, Error> PathTranslation::open(PathRequest request) {
     return guard_exceptions([&]() -> tl::expected<PathTranslation, Error> {
-        const auto unexpected_error = [](const std::string& message) {
-            return tl::unexpected(make_error(DiagnosticKind::input_file, message));
+        const auto unexpected_error = [](const gsim::Error& error) {
+            return tl::unexpected(make_error(DiagnosticKind::input_file, error));
         };
         auto post = read_post(request.host, request.post);
         if (!post) return unexpected_error(post.error());
         auto input = read_machine_input(request.host, request.machine, os::NameSource::command_line);
         if (!input) return unexpected_error(input.error());
         if (auto read = read_data(request, *input); !read) return unexpected_error(read.error());
-        auto file = request.bytes ? tl::expected<std::string, std::string>(request.path)
+        auto file = request.bytes ? Result<std::string>(request.path)
                                   : resolve_name(request.host, NameKind::sample, request.path);
         if (!file) return tl::unexpected(make_error(DiagnosticKind::file, file.error()));
         return PathTranslation(std::make_unique<State>(std::move(request), *std::move(file), *std::move(post),

@@ -33,7 +33,8 @@ std::string Report::errors_text() const {
     if (!collisions.empty()) text += fmt::format("collisions: {}\n", collisions.size());
     for (const Violation& violation : violations)
         text += fmt::format("{}{}\n", location_text(violation.location), violation.message);
-    if (violation_count > violations.size()) text += fmt::format("violations in all: {}\n", violation_count);
+    if (violation_count > violations.size())
+        text += fmt::format("violations in total: {}\n", violation_count);
     return alarm ? text + alarm_text(*alarm, status) : text;
 }
 

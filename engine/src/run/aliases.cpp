@@ -2,7 +2,7 @@
 
 namespace gsim::engine {
 
-tl::expected<lexer::Aliases, std::string> make_aliases(const machine::MachineData& data) {
+Result<lexer::Aliases> make_aliases(const machine::MachineData& data) {
     lexer::Aliases aliases;
     for (const auto& [name, code] : data.aliases) {
         if (const std::optional<std::string> error = aliases.add(name, code)) return tl::unexpected(*error);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr const char* kDefaultDialect = "ab9";
 
-tl::expected<grammar::ControllerName, std::string> resolve_controller(const LanguageOptions& language_options,
-                                                                      const machine::ProgramTable& program) {
+Result<grammar::ControllerName> resolve_controller(const LanguageOptions& language_options,
+                                                   const machine::ProgramTable& program) {
     if (!language_options.dialect.empty()) return grammar::find_controller(language_options.dialect);
     if (program.dialect.empty()) return grammar::find_controller(kDefaultDialect);
     return grammar::find_controller(program.dialect).map_error([](const std::string& error) {
@@ -23,9 +23,8 @@ tl::expected<grammar::ControllerName, std::string> resolve_controller(const Lang
 
 }  // namespace
 
-tl::expected<Language, std::string> make_language(const LanguageOptions& language_options,
-                                                  const machine::ProgramTable& program,
-                                                  const machine::MachineData& data) {
+Result<Language> make_language(const LanguageOptions& language_options, const machine::ProgramTable& program,
+                               const machine::MachineData& data) {
     auto controller = resolve_controller(language_options, program);
     if (!controller) return tl::unexpected(controller.error());
     return make_aliases(data).map([&](const lexer::Aliases& aliases) {

@@ -36,13 +36,12 @@ void OutputSet::add_output(std::unique_ptr<simulation::RunOutput> output) {
     simulator_.add_output(*outputs_.emplace_back(std::move(output)));
 }
 
-tl::expected<void, std::string> OutputSet::add(OutputKind output_kind, TextSink sink,
-                                               const OutputOptions& options) {
+Result<void> OutputSet::add(OutputKind output_kind, TextSink sink, const OutputOptions& options) {
     const machine::Machine& machine = simulator_.machine();
     switch (output_kind) {
         case OutputKind::moves:
             add_output(std::make_unique<simulation::MovesWriter>(stream(std::move(sink)), machine,
-                                                                 simulator_.files()));
+                                                                 simulator_.program().files().names()));
             return {};
         case OutputKind::trajectory: return add_trajectory(stream(std::move(sink)), options);
         case OutputKind::dxf: {
@@ -55,20 +54,20 @@ tl::expected<void, std::string> OutputSet::add(OutputKind output_kind, TextSink 
         case OutputKind::path: add_path(std::move(sink)); return {};
         case OutputKind::plot: return add_plot(std::move(sink), options);
     }
-    return tl::unexpected(std::string("there is no such document"));
+    return Unexpected("the output does not exist");
 }
 
-tl::expected<void, std::string> OutputSet::add_trajectory(TextStream& out, const OutputOptions& options) {
-    if (auto error = check_step(options.step_s)) return tl::unexpected(*std::move(error));
+Result<void> OutputSet::add_trajectory(TextStream& out, const OutputOptions& options) {
+    if (auto error = find_step_error(options.step_s)) return tl::unexpected(*std::move(error));
     trajectory_name_ = options.name;
-    auto trajectory = std::make_unique<simulation::TrajectoryWriter>(out, simulator_.machine(),
-                                                                     options.step_s, simulator_.max_time_s());
+    auto trajectory = std::make_unique<simulation::TrajectoryWriter>(
+        out, simulator_.machine(), options.step_s, simulator_.outcome().limits().max_time_s);
     if (options.forces) {
-        if (simulator_.dynamics() == nullptr) return tl::unexpected(std::string(kNoMassesError));
-        trajectory->add_efforts(*simulator_.dynamics());
+        if (simulator_.monitors().dynamics() == nullptr) return tl::unexpected(std::string(kNoMassesError));
+        trajectory->add_efforts(*simulator_.monitors().dynamics());
     }
     if (options.following) {
-        const auto setup = simulator_.following_setup();
+        const auto setup = simulator_.monitors().following_setup();
         if (!setup) return tl::unexpected(std::string(kNoServosError));
         trajectory->add_following(*setup);
     }
@@ -77,17 +76,17 @@ tl::expected<void, std::string> OutputSet::add_trajectory(TextStream& out, const
     return {};
 }
 
-tl::expected<void, std::string> OutputSet::add_plot(TextSink sink, const OutputOptions& options) {
+Result<void> OutputSet::add_plot(TextSink sink, const OutputOptions& options) {
     const machine::Machine& machine = simulator_.machine();
     const auto plane = find_plane(options.plane);
     if (!plane)
-        return tl::unexpected(
-            fmt::format("'{}' is no plane of a plot; there are xy, zx and yz", options.plane));
-    if (auto missing_axes = simulation::PlotData::missing_axes_error(machine, *plane))
+        return Unexpected(fmt::format("'{}' is not a plane of a plot; use xy, zx or yz", options.plane));
+    if (auto missing_axes = simulation::PlotData::find_missing_axes_error(machine, *plane))
         return tl::unexpected(*missing_axes);
     plot_ = std::make_unique<Plot>(machine, *plane, options.bitmap, std::move(sink));
-    if (simulator_.dynamics() != nullptr) plot_->data.add_efforts(*simulator_.dynamics());
-    if (const auto setup = simulator_.following_setup()) plot_->data.add_following(*setup);
+    if (simulator_.monitors().dynamics() != nullptr)
+        plot_->data.add_efforts(*simulator_.monitors().dynamics());
+    if (const auto setup = simulator_.monitors().following_setup()) plot_->data.add_following(*setup);
     simulator_.add_output(plot_->data);
     return {};
 }
@@ -100,7 +99,7 @@ void OutputSet::add_path(TextSink sink) {
 void OutputSet::explain() {
     explanation_data_ = std::make_unique<ExplanationData>(simulator_.machine());
     simulator_.add_output(explanation_data_->times);
-    if (simulator_.is_sampled()) return;
+    if (simulator_.motion().source().is_sampled()) return;
     simulator_.add_output(explanation_data_->bound.emplace(simulator_.machine()));
 }
 
@@ -130,9 +129,9 @@ std::optional<Error> OutputSet::check_output_size() const {
     if (trajectory_ != nullptr && trajectory_->is_truncated()) {
         return make_error(
             text::DiagnosticKind::output,
-            fmt::format("{}the trajectory would have more than {} samples; a longer --step or a "
-                        "lower --max-time makes it shorter",
-                        quoted_name(trajectory_name_), simulation::TrajectoryWriter::kMaxSamples));
+            fmt::format(
+                "{}the trajectory would have more than {} samples; increase --step or reduce --max-time",
+                quoted_name(trajectory_name_), simulation::TrajectoryWriter::kMaxSamples));
     }
     if (drawing_ != nullptr && drawing_->is_truncated()) {
         return make_error(
@@ -143,15 +142,16 @@ std::optional<Error> OutputSet::check_output_size() const {
     return std::nullopt;
 }
 
-tl::expected<void, std::string> OutputSet::write_path(const std::string& program) {
+Result<void> OutputSet::write_path(const std::string& program) {
     if (path_ == nullptr) return {};
     return path_->recorder.finish(std::filesystem::path(program).stem().string())
         .map([this](const path::Program& recorded_program) {
             path::write_json(recorded_program,
                              [this](std::string_view text) { static_cast<void>(path_->sink(text)); });
         })
-        .map_error(
-            [](const std::string& message) { return fmt::format("no path is recorded: {}", message); });
+        .map_error([](const gsim::Error& error) {
+            return gsim::Error(fmt::format("no path is recorded: {}", error.message));
+        });
 }
 
 void OutputSet::write_plot(const simulation::Report& report) {

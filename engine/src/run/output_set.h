@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "engine/run.h"
 #include "runtime/monitors/path_bound.h"
 #include "runtime/outputs/dxf_writer.h"
@@ -25,11 +24,11 @@ namespace gsim::engine {
 
 /// Message if no output can contain forces.
 inline constexpr std::string_view kNoMassesError =
-    "forces are asked for, and the machine file has no [dynamics] that tells of masses";
+    "forces are requested, but the machine file has no [dynamics] with masses";
 
 /// Message for following errors.
 inline constexpr std::string_view kNoServosError =
-    "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
+    "following errors are requested, but no [[axis]] of the machine file defines its servo loop "
     "(position_gain_1_s)";
 
 /// The outputs and results of a run of one machine, attached to its simulator.
@@ -41,7 +40,7 @@ class OutputSet {
     OutputSet& operator=(const OutputSet&) = delete;
 
     /// Adds an output. The error is a message: this machine has no such output.
-    tl::expected<void, std::string> add(OutputKind output_kind, TextSink sink, const OutputOptions& options);
+    Result<void> add(OutputKind output_kind, TextSink sink, const OutputOptions& options);
     /// Makes the report explain the time consumption.
     void explain();
     void add_output(std::unique_ptr<simulation::RunOutput> output);
@@ -52,12 +51,12 @@ class OutputSet {
     std::vector<Error> finish(const simulation::Report& report);
 
   private:
-    tl::expected<void, std::string> add_trajectory(simulation::TextStream& out, const OutputOptions& options);
-    tl::expected<void, std::string> add_plot(TextSink sink, const OutputOptions& options);
+    Result<void> add_trajectory(simulation::TextStream& out, const OutputOptions& options);
+    Result<void> add_plot(TextSink sink, const OutputOptions& options);
     void add_path(TextSink sink);
     simulation::TextStream& stream(TextSink sink);
     std::optional<Error> check_output_size() const;
-    tl::expected<void, std::string> write_path(const std::string& program);
+    Result<void> write_path(const std::string& program);
     void write_plot(const simulation::Report& report);
 
     /// The inputs of an explanation.

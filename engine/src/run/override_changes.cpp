@@ -64,15 +64,18 @@ constexpr std::array kOverrideKinds{
          }},
 };
 
-/// Returns why the controller rejects a value; empty if it accepts it.
-std::string override_error(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
-    if (controller.planner == rrs::PlannerKind::klipper && percent != 100)
-        return "the planner \"klipper\" follows no override; M220 in the program sets its speed factor";
+/// Returns an error if the controller rejects a value.
+std::optional<gsim::Error> find_override_error(const Kind& kind, double percent,
+                                               const rrs::ControllerRules& controller) {
+    const rrs::PlannerCapabilities& planner = controller.capabilities();
+    if (!planner.speed_factor_word.empty() && percent != 100)
+        return fmt::format("the planner \"{}\" supports no override; {} in the program sets its speed factor",
+                           planner.name, planner.speed_factor_word);
     const PercentRange allowed = kind.allowed(controller.overrides);
     if (!allowed.accepts(percent))
-        return fmt::format("the controller {} takes {}", controller.model, allowed.text());
+        return fmt::format("the controller {} supports {}", controller.model, allowed.text());
     if (percent <= 0 && kind.share == &Overrides::spindle)
-        return "a spindle at 0 % would never let go on what follows it";
+        return "motion synchronized with a spindle at 0 % would never end";
     return {};
 }
 
@@ -82,7 +85,7 @@ class ChangesReader {
         : error_(error), controller_(controller), changes_{{0, first}} {}
 
     std::vector<OverrideChange> read(const toml::table& root) {
-        base::TomlSection file(error_, root, "a file of overrides", kOverrideFileKeys);
+        base::TomlSection file(error_, root, "the overrides file", kOverrideFileKeys);
         for (const toml::table* table : file.tables("override")) read_change(*table);
         if (changes_.size() > 1 && changes_.front() == OverrideChange{}) changes_.erase(changes_.begin());
         return std::move(changes_);
@@ -97,16 +100,16 @@ class ChangesReader {
         bool turns = false;
         for (const Kind& kind : kOverrideKinds) turns = read_share(section, kind, change.to) || turns;
         if (!turns)
-            section.fail("at_s",
-                         "[[override]] turns nothing: it takes feed_percent, rapid_percent and "
-                         "spindle_percent");
+            section.fail(
+                "at_s",
+                "[[override]] changes nothing: it must have feed_percent, rapid_percent or spindle_percent");
         if (change.at_s == 0 && is_first_) {
             changes_.back() = change;
         } else if (change.at_s > changes_.back().at_s) {
             changes_.push_back(change);
         } else {
-            section.fail("at_s", fmt::format("'at_s' is {:g}, not behind the one above, {:g}", change.at_s,
-                                             changes_.back().at_s));
+            section.fail("at_s", fmt::format("'at_s' is {:g}; it must be greater than the one above, {:g}",
+                                             change.at_s, changes_.back().at_s));
         }
         is_first_ = false;
     }
@@ -114,8 +117,8 @@ class ChangesReader {
     bool read_share(base::TomlSection& section, const Kind& kind, Overrides& to) {
         if (!section.has(kind.key)) return false;
         const double percent = section.number(kind.key, 100, NumberRule::not_negative);
-        if (const std::string error = override_error(kind, percent, controller_); !error.empty())
-            section.fail(kind.key, fmt::format("'{}' is {:g}: {}", kind.key, percent, error));
+        if (const auto error = find_override_error(kind, percent, controller_))
+            section.fail(kind.key, fmt::format("'{}' is {:g}: {}", kind.key, percent, error->message));
         to.*kind.share = percent / 100;
         return true;
     }
@@ -128,36 +131,33 @@ class ChangesReader {
 
 }  // namespace
 
-tl::expected<OverrideSchedule, std::string> read_override_changes(std::string_view toml_text,
-                                                                  std::string_view file_name,
-                                                                  const Overrides& first,
-                                                                  const rrs::ControllerRules& controller) {
+Result<OverrideSchedule> read_override_changes(std::string_view toml_text, std::string_view file_name,
+                                               const Overrides& first,
+                                               const rrs::ControllerRules& controller) {
     base::FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     std::vector<OverrideChange> changes = ChangesReader(error, first, controller).read(root);
     const Overrides& last = changes.back().to;
     if (last.feed <= 0 || last.rapid <= 0) {
         error.report(root.source().end,
-                     "the last [[override]] leaves the machine held (0 %): the run would "
-                     "never end");
+                     "the last [[override]] stops the machine (0 %): the run would never end");
     }
     if (error.text()) return tl::unexpected(*error.text());
     return OverrideSchedule(std::move(changes));
 }
 
-tl::expected<OverrideSchedule, std::string> read_overrides(const os::Files& files,
-                                                           const OverrideOptions& options,
-                                                           const rrs::ControllerRules& controller) {
+Result<OverrideSchedule> read_overrides(const os::Files& files, const OverrideOptions& options,
+                                        const rrs::ControllerRules& controller) {
     Overrides first;
     for (const Kind& kind : kOverrideKinds) {
         const auto& percent = options.*kind.percent;
         if (!percent) continue;
-        if (const std::string error = override_error(kind, *percent, controller); !error.empty())
-            return tl::unexpected(fmt::format("{} {:g}: {}", kind.option, *percent, error));
+        if (const auto error = find_override_error(kind, *percent, controller))
+            return Unexpected(fmt::format("{} {:g}: {}", kind.option, *percent, error->message));
         if (*percent <= 0) {
-            return tl::unexpected(
-                fmt::format("{} 0 would hold the machine for ever; a file of changes (--overrides) may hold "
-                            "it for a time",
+            return Unexpected(
+                fmt::format("{} 0 would stop the machine indefinitely; a file of changes (--overrides) may "
+                            "stop it for a time",
                             kind.option));
         }
         first.*kind.share = *percent / 100;

@@ -15,19 +15,17 @@ using simulation::ProbeSurface;
 
 constexpr std::string_view kAxes = "xyz";
 
-tl::expected<ProbeSurface, std::string> plane(std::size_t axis, double at_mm,
-                                              const machine::Machine& machine) {
+Result<ProbeSurface> plane(std::size_t axis, double at_mm, const machine::Machine& machine) {
     const char letter = static_cast<char>('X' + axis);
     const auto found = machine.find(letter);
     if (!found || machine.axes[*found].kind != machine::AxisKind::linear)
-        return tl::unexpected(fmt::format("--probe: the machine has no linear axis {}", letter));
+        return Unexpected(fmt::format("--probe: the machine has no linear axis {}", letter));
     return ProbeSurface{.kind = ProbeSurface::Kind::plane, .axis = axis, .at_mm = at_mm};
 }
 
 }  // namespace
 
-tl::expected<ProbeSurface, std::string> read_probe_options(std::string_view value,
-                                                           const machine::Machine& machine) {
+Result<ProbeSurface> read_probe_options(std::string_view value, const machine::Machine& machine) {
     if (value.empty()) return ProbeSurface{};
     if (value == "none") return ProbeSurface{.kind = ProbeSurface::Kind::none};
     const std::size_t axis = kAxes.find(text::lower(value.substr(0, 1)));
@@ -35,9 +33,9 @@ tl::expected<ProbeSurface, std::string> read_probe_options(std::string_view valu
         const auto at_mm = machine::parse_number<double>(value.substr(2));
         if (at_mm && std::isfinite(*at_mm)) return plane(axis, *at_mm, machine);
     }
-    return tl::unexpected(
-        fmt::format("--probe takes none, or where a plane lies that stops probes, as x=, y= or z= in mm of "
-                    "machine coordinates (z=-3.2), not '{}'",
+    return Unexpected(
+        fmt::format("--probe must be none, or the position of a plane that stops probes, as x=, y= or z= in "
+                    "mm of machine coordinates (z=-3.2), not '{}'",
                     value));
 }
 

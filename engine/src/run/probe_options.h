@@ -3,15 +3,13 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "machine/model/machine.h"
 #include "runtime/simulator/probe.h"
 
 namespace gsim::engine {
 
-/// Returns the contact of probes from Request::probe; empty: not given. The error is a message.
-tl::expected<simulation::ProbeSurface, std::string> read_probe_options(std::string_view value,
-                                                                       const machine::Machine& machine);
+/// Returns the contact of probes from Request::probe; empty: not given.
+Result<simulation::ProbeSurface> read_probe_options(std::string_view value, const machine::Machine& machine);
 
 }  // namespace gsim::engine

@@ -1,7 +1,6 @@
 #include "engine/src/run/process_words.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include <fmt/format.h>
@@ -25,18 +24,29 @@ bool is_word_in_dialect(const SwitchWord& word, const grammar::Dialect& dialect)
            });
 }
 
-std::optional<std::string> check_word(const SwitchWord& word) {
-    const std::array dialects{&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()};
+/// Returns the dialects with words for processes: those that are read in blocks.
+std::vector<const grammar::Dialect*> block_dialects() {
+    std::vector<const grammar::Dialect*> dialects;
+    for (const grammar::Dialect* dialect : grammar::dialects()) {
+        if (dialect->text().form == lexer::TextForm::blocks) dialects.push_back(dialect);
+    }
+    return dialects;
+}
+
+std::optional<gsim::Error> find_word_error(const SwitchWord& word) {
+    const std::vector<const grammar::Dialect*> dialects = block_dialects();
     const auto has_word = [&](const grammar::Dialect* dialect) { return is_word_in_dialect(word, *dialect); };
     if (std::any_of(dialects.begin(), dialects.end(), has_word)) return std::nullopt;
     const auto has_code = [&](const grammar::Dialect* dialect) {
         return find_code(word, *dialect) != nullptr;
     };
     if (std::any_of(dialects.begin(), dialects.end(), has_code))
-        return fmt::format("[process]: M{} takes no such words as in {}", word.code, word.text());
-    return fmt::format(
-        "[process]: M{} is no code of ab9 or rs274ngc; user codes are M100 to M199, of ab9 to M999",
-        word.code);
+        return fmt::format("[process]: M{} does not accept the words in {}", word.code, word.text());
+    std::vector<std::string> names;
+    names.reserve(dialects.size());
+    for (const grammar::Dialect* dialect : dialects) names.push_back(dialect->name());
+    return fmt::format("[process]: M{} is not a code of {}; user codes are M100 to M199, in ab9 to M999",
+                       word.code, text::enumerated(names, "or"));
 }
 
 bool has_word_in_dialect(const std::vector<SwitchWord>& words, const grammar::Dialect& dialect) {
@@ -53,19 +63,20 @@ std::string texts(const std::vector<SwitchWord>& words) {
 
 }  // namespace
 
-std::optional<std::string> check_process(const machine::Process& process) {
+std::optional<gsim::Error> find_process_error(const machine::Process& process) {
     for (const auto* words : {&process.on, &process.off}) {
         for (const SwitchWord& word : *words) {
-            if (auto error = check_word(word)) return error;
+            if (auto error = find_word_error(word)) return error;
         }
     }
     return std::nullopt;
 }
 
-std::optional<std::string> check_process(const machine::Process& process, const grammar::Dialect& dialect) {
+std::optional<gsim::Error> find_process_error(const machine::Process& process,
+                                              const grammar::Dialect& dialect) {
     for (const auto& [words, state] : {std::pair{&process.on, "on"}, {&process.off, "off"}}) {
         if (has_word_in_dialect(*words, dialect)) continue;
-        return fmt::format("[process]: the {} is switched {} by {}, and {} has none of these",
+        return fmt::format("[process]: the {} is switched {} by {}, which {} does not support",
                            machine::name(process.kind), state, texts(*words), dialect.name());
     }
     return std::nullopt;

@@ -68,8 +68,8 @@ ProgramRun::ProgramRun(const ResolvedRequest& found, RunInputs inputs, const Run
       script_(std::move(inputs.program)),
       engine_(simulator_, make_options(found.request, inputs, tools, std::move(progress))) {
     simulator_.set_cell(*cell_);
-    simulator_.set_probe(inputs.probe);
-    if (!inputs.overrides.changes().empty()) simulator_.set_overrides(inputs.overrides);
+    simulator_.probing().set_surface(inputs.probe);
+    if (!inputs.overrides.changes().empty()) simulator_.motion().set_overrides(inputs.overrides);
 }
 
 simulation::Report ProgramRun::run() {

@@ -11,20 +11,20 @@
 #include "engine/src/run/process_words.h"
 #include "engine/src/run/run_cell.h"
 #include "engine/src/run/word_table.h"
+#include "grammar/dialect.h"
 #include "runtime/simulator/machine_dynamics.h"
 
 namespace gsim::engine {
 
 namespace {
 
-tl::unexpected<InputError> unexpected_error(std::string message) {
-    return tl::unexpected(
-        InputError{.message = std::move(message), .kind = text::DiagnosticKind::input_file});
+tl::unexpected<Error> unexpected_error(const gsim::Error& error) {
+    return tl::unexpected(make_error(text::DiagnosticKind::input_file, error));
 }
 
 }  // namespace
 
-tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> RobotsRun::read_cell(
+Result<std::unique_ptr<simulation::CellMonitor>> RobotsRun::read_cell(
     const process::RobotEntry& entry, const machine::Machine& machine,
     const std::vector<std::string>& conveyors) const {
     const Request& request = found_->request;
@@ -39,7 +39,7 @@ tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> RobotsRun::r
     });
 }
 
-tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
+tl::expected<RobotsRun::Station, Error> RobotsRun::make_station(
     const process::RobotEntry& entry, const std::vector<std::string>& conveyors) const {
     const Request& request = found_->request;
     const os::Files& files = request.host.files.impl();
@@ -64,11 +64,12 @@ tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
     station.language.cpu = &run_context_->cpu;
     station.language.memory_bytes = request.limits.memory_bytes;
     if (machine->process) {
-        if (const auto error = check_process(*machine->process, *station.language.dialect))
+        if (const auto error = find_process_error(*machine->process, *station.language.dialect))
             return unexpected_error(*error);
     }
     auto overrides = read_overrides(files, request.overrides, machine->controller);
-    if (!overrides) return unexpected_error(fmt::format("robot {}: {}", entry.name, overrides.error()));
+    if (!overrides)
+        return unexpected_error(fmt::format("robot {}: {}", entry.name, overrides.error().message));
     auto cell = read_cell(entry, *machine, conveyors);
     if (!cell) return unexpected_error(cell.error());
     station.cell = *std::move(cell);
@@ -77,16 +78,18 @@ tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
     station.simulator =
         std::make_unique<simulation::Simulator>(std::move(*machine), run_limits(request, run_context_->cpu));
     station.simulator->set_cell(*station.cell);
-    station.simulator->set_dynamics(*std::move(dynamics));
-    if (!overrides->changes().empty()) station.simulator->set_overrides(*overrides);
+    station.simulator->monitors().set_dynamics(*std::move(dynamics));
+    if (!overrides->changes().empty()) station.simulator->motion().set_overrides(*overrides);
     return station;
 }
 
-tl::expected<RobotsRun, InputError> RobotsRun::open(const ResolvedRequest& found, const RunContext& tools) {
+tl::expected<RobotsRun, Error> RobotsRun::open(const ResolvedRequest& found, const RunContext& tools) {
     const std::string& name = found.request.robots;
     auto file = found.request.host.files.impl()
                     .read_text(name, os::NameSource::command_line)
-                    .and_then([&](const std::string& text) { return process::read_robots(text, name); });
+                    .and_then([&](const std::string& text) {
+                        return process::read_robots(text, name, grammar::dialect_names());
+                    });
     if (!file) return unexpected_error(file.error());
     std::vector<std::string> conveyors;
     conveyors.reserve(file->conveyors.size());
@@ -108,7 +111,8 @@ void RobotsRun::monitor_robots() {
     std::vector<simulation::PlacedRobot> robots;
     robots.reserve(stations_.size());
     for (Station& station : stations_)
-        robots.push_back({station.entry.name, *station.simulator, station.entry.base});
+        robots.push_back(
+            {station.entry.name, station.simulator->motion(), station.cell.get(), station.entry.base});
     std::vector<simulation::PlacedZone> zones;
     zones.reserve(zones_.size());
     for (const process::SharedZone& zone : zones_)
@@ -136,7 +140,7 @@ std::vector<script::Robot> RobotsRun::robots() {
     return robots;
 }
 
-tl::expected<void, InputError> RobotsRun::prepare(OpenedScript& opened, ProgressHandler progress) {
+tl::expected<void, Error> RobotsRun::prepare(OpenedScript& opened, ProgressHandler progress) {
     const Language& language = stations_.front().language;
     auto input = read_script(opened, language, run_context_->on_diagnostic);
     if (!input) return tl::unexpected(input.error());

@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "engine/src/run/program_run.h"
 #include "engine/src/run/run_inputs.h"
 #include "runtime/monitors/multi_robot_monitor.h"
@@ -29,14 +30,14 @@ class RobotsRun {
     };
 
     /// Reads the file of robots, and the files that it names. The arguments must outlive the run.
-    static tl::expected<RobotsRun, InputError> open(const ResolvedRequest& found, const RunContext& tools);
+    static tl::expected<RobotsRun, Error> open(const ResolvedRequest& found, const RunContext& tools);
 
     std::vector<Station>& stations() { return stations_; }
     const std::vector<Station>& stations() const { return stations_; }
     const std::string& program() const { return program_; }
 
     /// Reads the program.
-    tl::expected<void, InputError> prepare(OpenedScript& opened, ProgressHandler progress);
+    tl::expected<void, Error> prepare(OpenedScript& opened, ProgressHandler progress);
     /// Runs it. Returns the reports of the robots, in their order, without the additions of outputs.
     std::vector<simulation::RobotReport> run();
     /// Returns the complete report, from the reports of the robots.
@@ -45,9 +46,9 @@ class RobotsRun {
   private:
     RobotsRun(const ResolvedRequest& found, const RunContext& tools) : found_(&found), run_context_(&tools) {}
 
-    tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
-                                                   const std::vector<std::string>& conveyors) const;
-    tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> read_cell(
+    tl::expected<Station, Error> make_station(const process::RobotEntry& entry,
+                                              const std::vector<std::string>& conveyors) const;
+    Result<std::unique_ptr<simulation::CellMonitor>> read_cell(
         const process::RobotEntry& entry, const machine::Machine& machine,
         const std::vector<std::string>& conveyors) const;
     std::vector<script::Robot> robots();

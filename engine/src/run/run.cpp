@@ -16,8 +16,8 @@ using text::DiagnosticKind;
 
 tl::expected<Run, Error> Run::open(Request request, DiagnosticHandler on_diagnostic) {
     return guard_exceptions([&]() -> tl::expected<Run, Error> {
-        if (std::string error = find_contradiction(request); !error.empty())
-            return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
+        if (auto error = find_contradiction(request))
+            return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
         const std::string cell = request.cell;
         auto found = resolve_files(std::move(request));
         if (!found)
@@ -30,8 +30,8 @@ tl::expected<Run, Error> Run::open(Request request, DiagnosticHandler on_diagnos
 
 tl::expected<Run, Error> Run::open(Request request, const Machine& machine, DiagnosticHandler on_diagnostic) {
     return guard_exceptions([&]() -> tl::expected<Run, Error> {
-        if (std::string error = find_contradiction(request); !error.empty())
-            return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
+        if (auto error = find_contradiction(request))
+            return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
         auto resolved_request = resolve_names(std::move(request));
         if (!resolved_request)
             return tl::unexpected(
@@ -62,7 +62,7 @@ const std::vector<Axis>& Run::axes(std::size_t robot) const {
 }
 
 AxisValues Run::home(std::size_t robot) const {
-    const simulation::AxisVector& at = state_->simulator(robot).position();
+    const simulation::AxisVector& at = state_->simulator(robot).position().axes();
     AxisValues values{};
     for (std::size_t i = 0; i < axes(robot).size(); ++i) values[i] = at[static_cast<Eigen::Index>(i)];
     return values;
@@ -74,18 +74,18 @@ tl::expected<void, Error> Run::write(OutputKind output_kind, TextSink sink, cons
         return state_->outputs(robot)
             .add(output_kind, std::move(sink), options)
             .map_error(
-                [](std::string error) { return make_error(DiagnosticKind::output, std::move(error)); });
+                [](const gsim::Error& error) { return make_error(DiagnosticKind::output, error.message); });
     });
 }
 
 void Run::on_moves(MovesHandler callback, std::size_t robot) {
     simulation::Simulator& simulator = state_->simulator(robot);
     state_->outputs(robot).add_output(
-        make_moves_output(std::move(callback), simulator.machine(), simulator.files()));
+        make_moves_output(std::move(callback), simulator.machine(), simulator.program().files().names()));
 }
 
 void Run::observe_motion(simulation::MotionObserver& observer, std::size_t robot) {
-    state_->simulator(robot).observe_motion(observer);
+    state_->simulator(robot).motion().observe(observer);
 }
 
 void Run::on_segments(SegmentsHandler callback, std::size_t robot) {
@@ -95,14 +95,14 @@ void Run::on_segments(SegmentsHandler callback, std::size_t robot) {
 
 void Run::on_columns(ColumnsHandler callback, std::size_t robot) {
     simulation::Simulator& simulator = state_->simulator(robot);
-    if (simulator.cell() != nullptr) simulator.cell()->keep_history();
+    if (simulator.cell().monitor() != nullptr) simulator.cell().monitor()->keep_history();
     state_->outputs(robot).add_output(
-        make_columns_output(std::move(callback), simulator.machine(), simulator.tcp_offsets_mm()));
+        make_columns_output(std::move(callback), simulator.machine(), simulator.program().tool().tcps_mm()));
 }
 
 tl::expected<void, Error> Run::on_efforts(EffortsHandler callback, std::size_t robot) {
     const simulation::Simulator& simulator = state_->simulator(robot);
-    const dynamics::Dynamics* dynamics = simulator.dynamics();
+    const dynamics::Dynamics* dynamics = simulator.monitors().dynamics();
     if (dynamics == nullptr)
         return tl::unexpected(make_error(DiagnosticKind::usage, std::string(kNoMassesError)));
     state_->outputs(robot).add_output(
@@ -111,7 +111,7 @@ tl::expected<void, Error> Run::on_efforts(EffortsHandler callback, std::size_t r
 }
 
 tl::expected<void, Error> Run::on_following(FollowingHandler callback, std::size_t robot) {
-    const auto setup = state_->simulator(robot).following_setup();
+    const auto setup = state_->simulator(robot).monitors().following_setup();
     if (!setup) return tl::unexpected(make_error(DiagnosticKind::usage, std::string(kNoServosError)));
     state_->outputs(robot).add_output(make_following_output(std::move(callback), *setup));
     return {};
@@ -122,15 +122,15 @@ tl::expected<Scene, Error> Run::scene(std::size_t robot) const {
 }
 
 const std::vector<std::string>& Run::files(std::size_t robot) const {
-    return state_->simulator(robot).files();
+    return state_->simulator(robot).program().files().names();
 }
 
 tl::expected<void, Error> Run::on_samples(SamplesHandler callback, double step_s, std::size_t robot) {
-    if (auto error = check_step(step_s))
+    if (auto error = find_step_error(step_s))
         return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
     const simulation::Simulator& simulator = state_->simulator(robot);
-    state_->outputs(robot).add_output(
-        make_samples_output(std::move(callback), simulator.machine(), step_s, simulator.max_time_s()));
+    state_->outputs(robot).add_output(make_samples_output(std::move(callback), simulator.machine(), step_s,
+                                                          simulator.outcome().limits().max_time_s));
     return {};
 }
 

@@ -22,34 +22,34 @@ solid::Mesh to_mesh(Triangles triangles) {
 }  // namespace
 
 cell::MeshFiles mesh_files(const Host& host) {
-    return {.files = host.files.impl(),
-            .read_solid = [read = host.read_solid](const std::filesystem::path& file, double tolerance_mm)
-                -> tl::expected<solid::Mesh, std::string> {
-                if (!read) {
-                    return tl::unexpected(fmt::format(
-                        "{}: STEP and IGES files are not read here; STL and OBJ files are", file.string()));
-                }
-                return read(file.string(), tolerance_mm).map(to_mesh);
-            }};
+    return {
+        .files = host.files.impl(),
+        .read_solid = [read = host.read_solid](const std::filesystem::path& file,
+                                               double tolerance_mm) -> Result<solid::Mesh> {
+            if (!read) {
+                return Unexpected(fmt::format(
+                    "{}: STEP and IGES files are not supported here, only STL and OBJ files", file.string()));
+            }
+            return read(file.string(), tolerance_mm).map(to_mesh);
+        }};
 }
 
-tl::expected<cell::Cell, std::string> read_bodies(const CellSource& cell_source,
-                                                  const machine::Machine& machine) {
+Result<cell::Cell> read_bodies(const CellSource& cell_source, const machine::Machine& machine) {
     if (!cell_source.collisions) return make_frames_only_cell(machine);
     return read_cell_contents(cell_source, machine);
 }
 
-tl::expected<cell::Cell, std::string> read_cell_contents(const CellSource& cell_source,
-                                                         const machine::Machine& machine,
-                                                         std::span<const std::string> conveyors) {
+Result<cell::Cell> read_cell_contents(const CellSource& cell_source, const machine::Machine& machine,
+                                      std::span<const std::string> conveyors) {
     if (!cell_source.file.empty())
         return cell::read_cell(cell_source.text, cell_source.file, machine, conveyors, cell_source.files);
     return cell_source.collisions ? cell::make_machine_cell(machine, cell_source.files)
                                   : make_frames_only_cell(machine);
 }
 
-tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> make_cell_monitor(
-    const CellSource& cell_source, const machine::Machine& machine, std::span<const std::string> conveyors) {
+Result<std::unique_ptr<simulation::CellMonitor>> make_cell_monitor(const CellSource& cell_source,
+                                                                   const machine::Machine& machine,
+                                                                   std::span<const std::string> conveyors) {
     const bool is_from_file = !cell_source.file.empty();
     const bool monitored = cell_source.collisions && (is_from_file || !machine.shapes.empty());
     const auto monitor = [&](cell::Cell cell) {

@@ -4,8 +4,7 @@
 #include <span>
 #include <string>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "engine/host.h"
 #include "geometry/mesh/mesh_file.h"
 #include "runtime/monitors/cell_monitor.h"
@@ -26,16 +25,14 @@ struct CellSource {
 cell::MeshFiles mesh_files(const Host& host);
 
 /// Returns the bodies to check. It reads meshes of the machine; the error is a message.
-tl::expected<cell::Cell, std::string> read_bodies(const CellSource& cell_source,
-                                                  const machine::Machine& machine);
+Result<cell::Cell> read_bodies(const CellSource& cell_source, const machine::Machine& machine);
 
-/// Returns the contents of the cell of a run. `conveyors` as in cell::load_cell(). The error is a message.
-tl::expected<cell::Cell, std::string> read_cell_contents(const CellSource& cell_source,
-                                                         const machine::Machine& machine,
-                                                         std::span<const std::string> conveyors = {});
+/// Returns the contents of the cell of a run. `conveyors` as in cell::load_cell().
+Result<cell::Cell> read_cell_contents(const CellSource& cell_source, const machine::Machine& machine,
+                                      std::span<const std::string> conveyors = {});
 
-/// Returns the cell of a run, which has at least the frames of the machine. The error is a message.
-tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> make_cell_monitor(
+/// Returns the cell of a run, which has at least the frames of the machine.
+Result<std::unique_ptr<simulation::CellMonitor>> make_cell_monitor(
     const CellSource& cell_source, const machine::Machine& machine,
     std::span<const std::string> conveyors = {});
 

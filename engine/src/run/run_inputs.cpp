@@ -17,8 +17,7 @@ namespace gsim::engine {
 
 namespace {
 
-tl::expected<machine::MachineData, std::string> add_variables(const Request& request,
-                                                              machine::MachineData data) {
+Result<machine::MachineData> add_variables(const Request& request, machine::MachineData data) {
     if (request.variables.empty()) return data;
     return read_variables(request.host.files.impl(), request.variables)
         .map([&](const std::map<int, double>& variables) {
@@ -40,14 +39,14 @@ void add_cell_files(ResolvedRequest& found, const cell::CellFiles& files) {
     }
 }
 
-std::string robots_contradiction(const Request& request) {
+std::optional<gsim::Error> robots_contradiction(const Request& request) {
     for (const auto& [value, option] : {std::pair{&request.machine, "--machine"},
                                         {&request.machine_data, "--machine-data"},
                                         {&request.cell, "--cell"},
                                         {&request.probe, "--probe"},
                                         {&request.module, "--rcs"},
                                         {&request.variables, "--variables"}}) {
-        if (!value->empty()) return fmt::format("{} does not go with --robots", option);
+        if (!value->empty()) return fmt::format("{} cannot be combined with --robots", option);
     }
     return {};
 }
@@ -60,8 +59,8 @@ std::string first_override(const OverrideOptions& options) {
 
 }  // namespace
 
-tl::expected<machine::MachineDataDocument, std::string> read_request_data(const ResolvedRequest& found,
-                                                                          const MachineInput& input) {
+Result<machine::MachineDataDocument> read_request_data(const ResolvedRequest& found,
+                                                       const MachineInput& input) {
     const Request& request = found.request;
     const machine::Machine& machine = input.machine;
     if (request.machine_data.empty()) {
@@ -72,30 +71,30 @@ tl::expected<machine::MachineDataDocument, std::string> read_request_data(const 
     const auto text = request.host.files.impl().read_text(request.machine_data, found.machine_data_named_by);
     if (!text) return tl::unexpected(text.error());
     return machine::MachineDataDocument::read(*text, request.machine_data, machine.axes)
-        .map_error([](const std::vector<std::string>& errors) { return errors.front(); });
+        .map_error([](const std::vector<gsim::Error>& errors) { return errors.front(); });
 }
 
-tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Request& request,
-                                                                     const machine::Machine& machine) {
+Result<std::optional<rrs::RcsModule>> load_module(const Request& request, const machine::Machine& machine) {
     std::optional<rrs::RcsModule> none;
     if (request.module.empty()) return none;
     if (!request.host.load_module)
-        return tl::unexpected(fmt::format("{}: controller modules are not loaded here", request.module));
+        return Unexpected(fmt::format("{}: controller modules are not supported here", request.module));
     return request.host.load_module(request.module, machine)
         .map([](const std::shared_ptr<rrs::RcsModule>& module) {
             return std::optional<rrs::RcsModule>(std::move(*module));
         });
 }
 
-std::string find_contradiction(const Request& request) {
+std::optional<gsim::Error> find_contradiction(const Request& request) {
     if (!request.module.empty() && !request.overrides.is_default()) {
-        return fmt::format("{} does not go with --rcs: a module has an override of its own, SetOverrideSpeed",
-                           first_override(request.overrides));
+        return fmt::format(
+            "{} cannot be combined with --rcs: a module has a separate override, SetOverrideSpeed",
+            first_override(request.overrides));
     }
-    return request.robots.empty() ? std::string() : robots_contradiction(request);
+    return request.robots.empty() ? std::nullopt : robots_contradiction(request);
 }
 
-tl::expected<Request, std::string> resolve_names(Request request) {
+Result<Request> resolve_names(Request request) {
     for (const auto& [name, kind] : {std::pair{&request.machine_data, NameKind::sample},
                                      {&request.cell, NameKind::sample},
                                      {&request.robots, NameKind::sample},
@@ -110,7 +109,7 @@ tl::expected<Request, std::string> resolve_names(Request request) {
     return request;
 }
 
-tl::expected<ResolvedRequest, std::string> resolve_files(Request request) {
+Result<ResolvedRequest> resolve_files(Request request) {
     auto resolved_request = resolve_names(std::move(request));
     if (!resolved_request) return tl::unexpected(std::move(resolved_request.error()));
     ResolvedRequest found{.request = *std::move(resolved_request)};
@@ -125,7 +124,7 @@ tl::expected<ResolvedRequest, std::string> resolve_files(Request request) {
     return found;
 }
 
-tl::expected<ResolvedRequest, std::string> resolve_machine_files(const Request& request) {
+Result<ResolvedRequest> resolve_machine_files(const Request& request) {
     Request machine_request;
     machine_request.machine = request.machine;
     machine_request.machine_data = request.machine_data;
@@ -142,33 +141,33 @@ CellSource make_cell_source(const ResolvedRequest& found) {
             .files = mesh_files(found.request.host)};
 }
 
-tl::expected<std::optional<script::Script>, InputError> read_setup(
-    const Request& request, const Language& language, const TextDiagnosticHandler& on_diagnostic) {
+tl::expected<std::optional<script::Script>, Error> read_setup(const Request& request,
+                                                              const Language& language,
+                                                              const TextDiagnosticHandler& on_diagnostic) {
     std::optional<script::Script> none;
     if (request.setup.empty()) return none;
     return read_script(request.host.files.impl(), request.setup, language, on_diagnostic)
         .map([](script::Script script) { return std::optional(std::move(script)); });
 }
 
-tl::expected<RunInputs, InputError> read_run_inputs(const ResolvedRequest& found, MachineInput input,
-                                                    std::shared_ptr<const cell::Cell> loaded_cell,
-                                                    OpenedScript& opened, const RunContext& tools) {
+tl::expected<RunInputs, Error> read_run_inputs(const ResolvedRequest& found, MachineInput input,
+                                               std::shared_ptr<const cell::Cell> loaded_cell,
+                                               OpenedScript& opened, const RunContext& tools) {
     const Request& request = found.request;
     machine::Machine& machine = input.machine;
-    const auto make_error = [](std::string message) {
-        return tl::unexpected(
-            InputError{.message = std::move(message), .kind = text::DiagnosticKind::input_file});
+    const auto unexpected_error = [](const gsim::Error& error) {
+        return tl::unexpected(make_error(text::DiagnosticKind::input_file, error));
     };
     const auto probe = read_probe_options(request.probe, machine);
-    if (!probe) return make_error(probe.error());
+    if (!probe) return unexpected_error(probe.error());
     auto overrides = read_overrides(request.host.files.impl(), request.overrides, machine.controller);
-    if (!overrides) return make_error(overrides.error());
+    if (!overrides) return unexpected_error(overrides.error());
     auto document = read_request_data(found, input);
-    if (!document) return make_error(document.error());
+    if (!document) return unexpected_error(document.error());
     auto data = add_variables(request, document->data());
-    if (!data) return make_error(data.error());
+    if (!data) return unexpected_error(data.error());
     auto language = make_language(request.language, machine.program, *data);
-    if (!language) return make_error(language.error());
+    if (!language) return unexpected_error(language.error());
     language->cpu = &tools.cpu;
     language->memory_bytes = request.limits.memory_bytes;
     auto program = read_script(opened, *language, tools.on_diagnostic);
@@ -176,15 +175,15 @@ tl::expected<RunInputs, InputError> read_run_inputs(const ResolvedRequest& found
     language->dialect = grammar::find_dialect(program->dialect);
     if (program->inch) language->units = machine::ProgramUnits::inch;
     if (machine.process) {
-        if (const auto word_error = check_process(*machine.process, *language->dialect))
-            return make_error(*word_error);
+        if (const auto word_error = find_process_error(*machine.process, *language->dialect))
+            return unexpected_error(*word_error);
     }
     auto setup = read_setup(request, *language, tools.on_diagnostic);
-    if (!setup) return make_error(setup.error().message);
+    if (!setup) return unexpected_error(setup.error().message);
     CellSource options = make_cell_source(found);
     options.read = std::move(loaded_cell);
     auto cell = make_cell_monitor(options, machine);
-    if (!cell) return make_error(cell.error());
+    if (!cell) return unexpected_error(cell.error());
     return RunInputs{.machine = std::move(machine),
                      .document = *std::move(document),
                      .data = *std::move(data),

@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "controller/module/rcs_host.h"
 #include "engine/request.h"
 #include "engine/src/machine/machine_input.h"
@@ -32,17 +33,17 @@ struct ResolvedRequest {
     os::NameSource machine_data_named_by = os::NameSource::command_line;
 };
 
-/// Returns a message if parts of a request conflict; empty if they do not.
-std::string find_contradiction(const Request& request);
+/// Returns an error if parts of a request conflict.
+std::optional<gsim::Error> find_contradiction(const Request& request);
 
-/// Returns the request with its files. The error is a message.
-tl::expected<ResolvedRequest, std::string> resolve_files(Request request);
+/// Returns the request with its files.
+Result<ResolvedRequest> resolve_files(Request request);
 
 /// Does the same for the machine of a request and its surroundings, without the remainder.
-tl::expected<ResolvedRequest, std::string> resolve_machine_files(const Request& request);
+Result<ResolvedRequest> resolve_machine_files(const Request& request);
 
 /// Resolves the names alone, without those of the cell and of the program.
-tl::expected<Request, std::string> resolve_names(Request request);
+Result<Request> resolve_names(Request request);
 
 /// Returns the cell to check.
 CellSource make_cell_source(const ResolvedRequest& found);
@@ -61,23 +62,21 @@ struct RunInputs {
     motion::OverrideSchedule overrides;
 };
 
-/// Returns the machine data of a request, or those that replace them; empty if it has none. The error is a
-/// message.
-tl::expected<machine::MachineDataDocument, std::string> read_request_data(const ResolvedRequest& found,
-                                                                          const MachineInput& input);
+/// Returns the machine data of a request, or those that replace them; empty if it has none.
+Result<machine::MachineDataDocument> read_request_data(const ResolvedRequest& found,
+                                                       const MachineInput& input);
 
-/// Returns the requested controller module, made for the machine; nothing if none is requested. The error is
-/// a message.
-tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Request& request,
-                                                                     const machine::Machine& machine);
+/// Returns the requested controller module, made for the machine; nothing if none is requested.
+Result<std::optional<rrs::RcsModule>> load_module(const Request& request, const machine::Machine& machine);
 
 /// `opened` is the program.
-tl::expected<RunInputs, InputError> read_run_inputs(const ResolvedRequest& found, MachineInput input,
-                                                    std::shared_ptr<const cell::Cell> cell,
-                                                    OpenedScript& opened, const RunContext& tools);
+tl::expected<RunInputs, Error> read_run_inputs(const ResolvedRequest& found, MachineInput input,
+                                               std::shared_ptr<const cell::Cell> cell, OpenedScript& opened,
+                                               const RunContext& tools);
 
 /// Returns the setup of a run, if one is requested.
-tl::expected<std::optional<script::Script>, InputError> read_setup(
-    const Request& request, const Language& language, const TextDiagnosticHandler& on_diagnostic);
+tl::expected<std::optional<script::Script>, Error> read_setup(const Request& request,
+                                                              const Language& language,
+                                                              const TextDiagnosticHandler& on_diagnostic);
 
 }  // namespace gsim::engine

@@ -21,7 +21,6 @@ tl::expected<void, Error> Run::State::open() {
             for (const RobotsRun::Station& station : robots_->stations())
                 names_.push_back(station.entry.name);
         })
-        .map_error([](const InputError& error) { return make_error(error); })
         .and_then([this] { return open_program(); });
 }
 
@@ -31,7 +30,8 @@ tl::expected<void, Error> Run::State::open_single_robot() {
     auto input = read_machine_input(request.host, request.machine, found_.machine_named_by);
     if (!input) return tl::unexpected(make_error(DiagnosticKind::input_file, input.error(), request.machine));
     for (const std::string& note : input->notes)
-        on_diagnostic_({.severity = text::Severity::note, .kind = DiagnosticKind::machine, .text = note});
+        diagnostics_.handler()(
+            {.severity = text::Severity::note, .kind = DiagnosticKind::machine, .text = note});
     machine_ = *std::move(input);
     auto cell = read_cell_contents(make_cell_source(found_), machine_->machine);
     if (!cell) return tl::unexpected(make_error(DiagnosticKind::input_file, cell.error(), request.cell));
@@ -88,23 +88,23 @@ tl::expected<void, Error> Run::State::open_program() {
     auto file = resolve_name(request.host, NameKind::sample, request.program);
     if (!file) return tl::unexpected(make_error(DiagnosticKind::file, file.error(), request.program));
     request.program = *std::move(file);
-    return open_script(request.host.files.impl(), request.program)
-        .map([this](OpenedScript opened) { program_ = std::move(opened); })
-        .map_error([](const InputError& error) { return make_error(error); });
+    return open_script(request.host.files.impl(), request.program).map([this](OpenedScript opened) {
+        program_ = std::move(opened);
+    });
 }
 
 tl::expected<void, Error> Run::State::prepare() {
     if (robots_ != nullptr) {
         if (auto prepared = robots_->prepare(*program_, progress()); !prepared)
-            return tl::unexpected(make_error(prepared.error()));
+            return tl::unexpected(prepared.error());
         for (RobotsRun::Station& station : robots_->stations()) add(*station.simulator);
         return {};
     }
     auto inputs = read_run_inputs(found_, MachineInput(*machine_), cell_, *program_, run_context_);
-    if (!inputs) return tl::unexpected(make_error(inputs.error()));
+    if (!inputs) return tl::unexpected(inputs.error());
     inputs->module = std::exchange(module_, std::nullopt);
     program_run_ = std::make_unique<ProgramRun>(found_, *std::move(inputs), run_context_, progress());
-    program_run_->simulator().set_dynamics(dynamics_);
+    program_run_->simulator().monitors().set_dynamics(dynamics_);
     add(program_run_->simulator());
     return {};
 }
@@ -120,7 +120,7 @@ void Run::State::add(simulation::Simulator& simulator) {
 
 simulation::Report Run::State::run_single_robot() {
     simulation::Report report = program_run_->run();
-    report.diagnostics = diagnostics_;
+    report.diagnostics = diagnostics_.diagnostics();
     output_sets_.front()->complete(report);
     errors_ = output_sets_.front()->finish(report);
     return report;
@@ -143,14 +143,16 @@ tl::expected<Report, Error> Run::State::go() {
 tl::expected<ProgramRun*, Error> Run::State::kept() {
     if (program_run_) return program_run_.get();
     return tl::unexpected(
-        make_error(DiagnosticKind::usage, "what a control keeps is told of a run of one robot"));
+        make_error(DiagnosticKind::usage, "persistent data are available only for a run of one robot"));
 }
 
 tl::expected<std::string, Error> Run::State::variables() {
     return kept().and_then([](ProgramRun* run) {
-        return run->engine().permanent_variables().map(variables_text).map_error([](std::string message) {
-            return make_error(DiagnosticKind::output, std::move(message));
-        });
+        return run->engine()
+            .permanent_variables()
+            .map(variables_text)
+            .map_error(
+                [](const gsim::Error& error) { return make_error(DiagnosticKind::output, error.message); });
     });
 }
 
@@ -161,7 +163,7 @@ tl::expected<std::string, Error> Run::State::machine_data() {
             .and_then([&](const machine::MachineData& data) { return run->document().update(data); })
             .map([&] { return run->document().text(); })
             .map_error(
-                [](std::string message) { return make_error(DiagnosticKind::output, std::move(message)); });
+                [](const gsim::Error& error) { return make_error(DiagnosticKind::output, error.message); });
     });
 }
 
@@ -183,7 +185,7 @@ Report Run::State::make_report(const Error& error) const {
         report.files.push_back(error.first_error->file);
         report.alarm->location = {0, error.first_error->line};
     }
-    report.diagnostics = diagnostics_;
+    report.diagnostics = diagnostics_.diagnostics();
     return engine::make_report(std::move(report));
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/run.h"
-#include "engine/src/conversions.h"
 #include "engine/src/machine/machine_parts.h"
+#include "engine/src/run/diagnostic_log.h"
 #include "engine/src/run/output_set.h"
 #include "engine/src/run/program_run.h"
 #include "engine/src/run/robots_run.h"
@@ -23,9 +23,9 @@ class Run::State {
   public:
     State(ResolvedRequest found, DiagnosticHandler on_diagnostic)
         : found_(std::move(found)),
-          cpu_(found_.request.limits.cpu_s),
-          user_handler_(std::move(on_diagnostic)) {
-        cpu_.cancel_when(found_.request.cancel.flag());
+          cpu_limit_(found_.request.limits.cpu_s),
+          diagnostics_(std::move(on_diagnostic)) {
+        cpu_limit_.set_cancel_flag(found_.request.cancel.flag());
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -68,14 +68,9 @@ class Run::State {
     tl::expected<ProgramRun*, Error> kept();
 
     ResolvedRequest found_;
-    os::CpuLimit cpu_;
-    DiagnosticHandler user_handler_;
-    std::vector<text::Diagnostic> diagnostics_;
-    TextDiagnosticHandler on_diagnostic_ = [this](const text::Diagnostic& diagnostic) {
-        diagnostics_.push_back(diagnostic);
-        if (user_handler_) user_handler_(to_diagnostic(diagnostic));
-    };
-    RunContext run_context_{cpu_, on_diagnostic_};
+    os::CpuLimit cpu_limit_;
+    DiagnosticLog diagnostics_;
+    RunContext run_context_{cpu_limit_, diagnostics_.handler()};
     std::optional<MachineInput> machine_;
     std::shared_ptr<const cell::Cell> cell_;
     std::shared_ptr<const dynamics::Dynamics> dynamics_;

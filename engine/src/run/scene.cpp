@@ -8,6 +8,7 @@
 #include "motion/kinematics/chain.h"
 #include "motion/path/axis_space.h"
 #include "runtime/monitors/workpiece_tcp.h"
+#include "runtime/simulator/make_planner_setup.h"
 
 namespace gsim::engine {
 
@@ -210,17 +211,17 @@ Scene make_scene(const simulation::Simulator& simulator, const rrs::CartPos& bas
         {"max_rapid_mm_s", limit(machine.path.max_rapid_mm_s)},
         {"max_acceleration_mm_s2", limit(machine.path.max_acceleration_mm_s2)},
         {"process", machine.process ? Json(std::string(name(machine.process->kind))) : Json(nullptr)},
-        {"zones", zones(simulator.zones())}};
+        {"zones", zones(simulator.motion().zones())}};
     Json tcps = Json::array();
-    for (const Vector3d& tcp_mm : simulator.tcp_offsets_mm()) tcps.push_back(point(tcp_mm));
-    json["tips_mm"] = std::move(tcps);
-    if (const simulation::CellMonitor* cell = simulator.cell()) {
+    for (const Vector3d& tcp_mm : simulator.program().tool().tcps_mm()) tcps.push_back(point(tcp_mm));
+    json["tcps_mm"] = std::move(tcps);
+    if (const simulation::CellMonitor* cell = simulator.cell().monitor()) {
         json["cell"] = cell->cell().name;
         json["clearance_mm"] = cell->cell().clearance_mm;
         json["frames"] = frames(cell->cell().frames);
         json["bodies"] = bodies(cell->cell(), scene);
-        json["drifts"] = drifts_json(cell->history());
-        json["drifts_whole"] = cell->history_is_complete();
+        json["drifts"] = drifts_json(cell->history().entries());
+        json["drifts_complete"] = cell->history().is_complete();
         Json near = Json::array();
         for (const std::optional<double>& t_s : cell->clearance_times_s())
             near.push_back(t_s ? Json(*t_s) : Json(nullptr));

@@ -27,7 +27,7 @@ bool has_extension(const std::string& path, std::string_view extension) {
 }
 
 /// Distinguishes Lua from G-code by the first significant line: no block of G-code begins like these.
-bool looks_like_lua(const lexer::Source& source) {
+bool seems_to_be_lua(const lexer::Source& source) {
     std::uint64_t offset = 0;
     while (offset < source.size() && offset < kInspectedBytes) {
         const std::string line = source.line_at(offset, kInspectedBytes);
@@ -55,12 +55,11 @@ std::string read_all(lexer::Source& source) {
 }
 
 /// The text is held in memory, and a second time while it is compiled.
-tl::expected<Script, std::string> read_lua_script(lexer::Source& source, std::uint64_t memory_bytes) {
+Result<Script> read_lua_script(lexer::Source& source, std::uint64_t memory_bytes) {
     if (source.size() > memory_bytes / 2) {
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("the text of the script {} has {:.1f} MB, which is more than half of the {} MB that "
-                        "the run may use "
-                        "(--memory): it is held twice while it is compiled",
+                        "the run may use (--memory): it is stored twice while it is compiled",
                         source.name(), static_cast<double>(source.size()) / kMegabyte, memory_bytes >> 20U));
     }
     std::string text = read_all(source);
@@ -69,10 +68,6 @@ tl::expected<Script, std::string> read_lua_script(lexer::Source& source, std::ui
     const auto requires_name = [head = text.substr(0, kInspectedBytes)](std::string_view name) {
         return head.find(fmt::format("\"{}\"", name)) != std::string::npos;
     };
-    const bool ngc_inch = requires_name("gsim.rs274ngc.inch");
-    const bool rs274ngc = ngc_inch || requires_name("gsim.rs274ngc");
-    const bool klipper = requires_name("gsim.klipper");
-    const bool inch = ngc_inch || requires_name("gsim.inch");
     // The first line names the source, but anybody may have written it, so the name of an opened file is
     // added.
     const bool is_file = source.name() != lexer::Source::kStandardInput;
@@ -80,9 +75,12 @@ tl::expected<Script, std::string> read_lua_script(lexer::Source& source, std::ui
         is_file ? fmt::format("{}: {}", source.name(), origin.source_name) : origin.source_name;
     Script script = origin.unedited ? Script::from_text(std::move(text), from, -1)
                                     : Script::from_text(std::move(text), source.name(), 0);
-    if (rs274ngc) script.dialect = "rs274ngc";
-    if (klipper) script.dialect = "klipper";
-    script.inch = inch;
+    for (const grammar::Dialect* dialect : grammar::dialects()) {
+        const std::string_view module = dialect->rules().lua_module;
+        const bool inch = !dialect->rules().always_mm && requires_name(fmt::format("{}.inch", module));
+        if (inch || requires_name(module)) script.dialect = dialect->name();
+        script.inch |= inch;
+    }
     return script;
 }
 
@@ -96,20 +94,18 @@ std::vector<script::ScriptChunk> split_into_chunks(const codegen::ProgramPart& p
     return chunks;
 }
 
-tl::expected<Script, InputError> translate_script(lexer::Source& source,
-                                                  std::shared_ptr<codegen::LuaSpool> spool,
-                                                  const Language& language,
-                                                  const TextDiagnosticHandler& on_diagnostic) {
+tl::expected<Script, Error> translate_script(lexer::Source& source, std::shared_ptr<codegen::LuaSpool> spool,
+                                             const Language& language,
+                                             const TextDiagnosticHandler& on_diagnostic) {
     const codegen::Translation translation = translate_source(source, *spool, language, {}, on_diagnostic);
     if (auto error_message = source.error_message())
-        return tl::unexpected(InputError{.message = *std::move(error_message)});
+        return tl::unexpected(make_error(text::DiagnosticKind::file, *std::move(error_message)));
     if (!translation.ok) {
         const text::Diagnostic& first = *translation.first_error;
-        return tl::unexpected(
-            InputError{.in_program = true,
-                       .message = fmt::format("{}: {}", text::location_text(first), first.text),
-                       .kind = first.kind,
-                       .first_error = first});
+        Error error = make_error(first.kind, fmt::format("{}: {}", text::location_text(first), first.text));
+        error.in_program = true;
+        error.first_error = to_diagnostic(first);
+        return tl::unexpected(std::move(error));
     }
     Script script;
     script.dialect = language.dialect->name();
@@ -143,10 +139,10 @@ bool is_number(std::string_view name) {
 }
 
 /// Returns why a file there must not be read: links lead out of the folder. Nothing if it may be read.
-std::optional<std::string> find_link_error(const os::Files& files, const fs::path& folder,
+std::optional<gsim::Error> find_link_error(const os::Files& files, const fs::path& folder,
                                            const fs::path& name) {
     if (files.is_within(folder, name)) return std::nullopt;
-    return fmt::format("{} is a link that leads out of the folder of the script", name.string());
+    return fmt::format("{} is a link to a file outside the folder of the script", name.string());
 }
 
 /// Returns files that may contain the program with this number or, in RS274/NGC, the subroutine with this
@@ -190,30 +186,30 @@ fs::path main_program_folder(const std::string& main_path) {
     return parent.empty() ? fs::path(".") : parent;
 }
 
-tl::expected<OpenedScript, InputError> open_script(const os::Files& files, const std::string& path,
-                                                   os::NameSource name_source) {
-    tl::expected<lexer::Source, std::string> source = lexer::Source::open(files, path, name_source);
-    if (!source) return tl::unexpected(InputError{.message = source.error(), .file = path});
+tl::expected<OpenedScript, Error> open_script(const os::Files& files, const std::string& path,
+                                              os::NameSource name_source) {
+    Result<lexer::Source> source = lexer::Source::open(files, path, name_source);
+    if (!source) return tl::unexpected(make_error(text::DiagnosticKind::file, source.error(), path));
     return make_opened_script(*std::move(source), has_extension(path, ".lua"));
 }
 
 OpenedScript open_text_script(lexer::Source text) {
-    const bool lua = has_extension(text.name(), ".lua") || looks_like_lua(text);
+    const bool lua = has_extension(text.name(), ".lua") || seems_to_be_lua(text);
     return make_opened_script(std::move(text), lua);
 }
 
-tl::expected<Script, InputError> read_script(OpenedScript& opened, const Language& language,
-                                             const TextDiagnosticHandler& on_diagnostic) {
+tl::expected<Script, Error> read_script(OpenedScript& opened, const Language& language,
+                                        const TextDiagnosticHandler& on_diagnostic) {
     if (!opened.is_lua)
         return translate_script(opened.source, std::move(opened.spool), language, on_diagnostic);
-    return read_lua_script(opened.source, language.memory_bytes).map_error([](std::string message) {
-        return InputError{.message = std::move(message)};
+    return read_lua_script(opened.source, language.memory_bytes).map_error([](const gsim::Error& error) {
+        return make_error(text::DiagnosticKind::file, error);
     });
 }
 
-tl::expected<Script, InputError> read_script(const os::Files& files, const std::string& path,
-                                             const Language& language,
-                                             const TextDiagnosticHandler& on_diagnostic) {
+tl::expected<Script, Error> read_script(const os::Files& files, const std::string& path,
+                                        const Language& language,
+                                        const TextDiagnosticHandler& on_diagnostic) {
     return open_script(files, path).and_then([&](OpenedScript opened) {
         return read_script(opened, language, on_diagnostic);
     });
@@ -223,19 +219,19 @@ script::FindProgram program_finder(const os::Files& files, const std::string& ma
                                    const Language& language, const TextDiagnosticHandler& on_diagnostic) {
     const fs::path main = main_path == "-" ? fs::path(lexer::Source::kStandardInput) : fs::path(main_path);
     return [&files, main, language,
-            on_diagnostic](const std::string& requested) -> tl::expected<std::optional<Script>, std::string> {
+            on_diagnostic](const std::string& requested) -> Result<std::optional<Script>> {
         for (const std::string& name : candidate_names(main, requested)) {
             const fs::path path = main.parent_path() / name;
             if (!files.has(path) || files.is_same_file(path, main)) continue;
             if (auto link_error = find_link_error(files, main_program_folder(main.string()), name))
                 return tl::unexpected(*std::move(link_error));
-            tl::expected<lexer::Source, std::string> source = lexer::Source::open(files, path.string());
+            Result<lexer::Source> source = lexer::Source::open(files, path.string());
             if (!source) return tl::unexpected(source.error());
             OpenedScript opened{*std::move(source), has_extension(name, ".lua"),
                                 std::make_shared<codegen::LuaSpool>()};
-            tl::expected<Script, InputError> script = read_script(opened, language, on_diagnostic);
+            tl::expected<Script, Error> script = read_script(opened, language, on_diagnostic);
             if (!script)
-                return tl::unexpected(
+                return Unexpected(
                     fmt::format("the called program cannot be translated: {}", script.error().message));
             return std::optional<Script>(std::move(*script));
         }
@@ -270,21 +266,20 @@ std::optional<fs::path> module_file(const std::string& name) {
 script::FindProgram module_finder(const os::Files& files, const std::string& main_path,
                                   std::uint64_t memory_bytes) {
     return [&files, folder = main_program_folder(main_path),
-            memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
+            memory_bytes](const std::string& name) -> Result<std::optional<Script>> {
         const std::optional<fs::path> file = module_file(name);
         if (!file) {
-            return tl::unexpected(
-                std::string("a module's name has letters, digits, _ and -, and dots for folders within that "
-                            "of the script: \"lib.shapes\" is lib/shapes.lua there"));
+            return Unexpected(
+                "the name of a module may have letters, digits, _ and -, and dots for subfolders of the "
+                "script's folder: \"lib.shapes\" is lib/shapes.lua there");
         }
         const fs::path path = folder / *file;
         if (!files.has(path))
-            return tl::unexpected(
-                fmt::format("there is no file {} in the folder of the script", file->string()));
+            return Unexpected(
+                fmt::format("the file {} does not exist in the folder of the script", file->string()));
         if (auto link_error = find_link_error(files, folder, *file))
             return tl::unexpected(*std::move(link_error));
-        tl::expected<lexer::Source, std::string> source =
-            lexer::Source::open(files, path.lexically_normal().string());
+        Result<lexer::Source> source = lexer::Source::open(files, path.lexically_normal().string());
         if (!source) return tl::unexpected(source.error());
         return read_lua_script(*source, memory_bytes).map([](Script script) {
             return std::optional<Script>(std::move(script));

@@ -22,16 +22,6 @@ namespace gsim::engine {
 /// Receives the errors in a program's text.
 using TextDiagnosticHandler = std::function<void(const text::Diagnostic&)>;
 
-/// The reason why an input cannot be run: a file that cannot be read (usage), or a program with errors, which
-/// have been reported.
-struct InputError {
-    bool in_program = false;
-    std::string message;
-    std::string file = {};  ///< Name of the input; empty if the message names it.
-    text::DiagnosticKind kind = text::DiagnosticKind::file;
-    std::optional<text::Diagnostic> first_error = {};  ///< First program error.
-};
-
 /// Options for reading G-code: the language, the code names from the machine data, and the handling of codes
 /// that the language does not have.
 struct Language {
@@ -53,20 +43,20 @@ struct OpenedScript {
 };
 
 /// Opens part.lua or part.nc.
-tl::expected<OpenedScript, InputError> open_script(const os::Files& files, const std::string& path,
-                                                   os::NameSource name_source = os::NameSource::command_line);
+tl::expected<OpenedScript, Error> open_script(const os::Files& files, const std::string& path,
+                                              os::NameSource name_source = os::NameSource::command_line);
 
 /// Opens a text that is not a file, after a check for Lua.
 OpenedScript open_text_script(lexer::Source text);
 
-/// Reads it and translates G-code. To be called once.
-tl::expected<script::Script, InputError> read_script(OpenedScript& opened, const Language& language,
-                                                     const TextDiagnosticHandler& on_diagnostic);
+/// Reads it and translates G-code. To be called once. Errors in the program have been reported.
+tl::expected<script::Script, Error> read_script(OpenedScript& opened, const Language& language,
+                                                const TextDiagnosticHandler& on_diagnostic);
 
 /// Opens and reads it.
-tl::expected<script::Script, InputError> read_script(const os::Files& files, const std::string& path,
-                                                     const Language& language,
-                                                     const TextDiagnosticHandler& on_diagnostic);
+tl::expected<script::Script, Error> read_script(const os::Files& files, const std::string& path,
+                                                const Language& language,
+                                                const TextDiagnosticHandler& on_diagnostic);
 
 /// Returns the folder of a main program ("-": a text that is not a file), which contains all programs that it
 /// calls.

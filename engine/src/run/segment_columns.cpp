@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 /// Tolerance of the drawn path, in mm.
 constexpr double kDrawTolerance_mm = 0.01;
 /// Number of vertices at which a chunk is delivered: a helix may have any number of them.
-constexpr std::size_t kMostVertices = std::size_t{1} << 18U;
+constexpr std::size_t kMaxVertices = std::size_t{1} << 18U;
 
 void append(std::vector<double>& values, const Vector3d& vector) {
     values.insert(values.end(), vector.data(), vector.data() + 3);
@@ -110,7 +110,7 @@ class ColumnsOutput final : public simulation::RunOutput {
         append_record(columns_.values, segment);
         if (segment.kind != motion::SegmentKind::rest) draw(segment);
         ++segments_in_chunk_;
-        if (segments_in_chunk_ == kColumnChunk || columns_.vertex_s.size() > kMostVertices) deliver();
+        if (segments_in_chunk_ == kColumnChunk || columns_.vertex_s.size() > kMaxVertices) deliver();
     }
     void end(double) override { deliver(); }
 

@@ -48,7 +48,7 @@ void shift_offset(machine::MachineData& data, const OffsetShift& shift, bool has
 SuggestedFixSearch::SuggestedFixSearch(const ResolvedRequest& found, const RunInputs& inputs,
                                        os::CpuLimit& cpu)
     : found_(found),
-      cpu_(cpu),
+      cpu_limit_(cpu),
       machine_(inputs.machine),
       data_(inputs.data),
       language_(inputs.language),
@@ -64,19 +64,19 @@ void SuggestedFixSearch::search(simulation::Report& report) const {
 
 bool SuggestedFixSearch::is_fixed_by(const std::vector<OffsetShift>& shifts) const {
     machine::MachineData data = data_;
-    const bool has_variables = language_.dialect->name() == grammar::dialect_rs274ngc().name();
-    for (const OffsetShift& shift : shifts) shift_offset(data, shift, has_variables);
+    for (const OffsetShift& shift : shifts)
+        shift_offset(data, shift, language_.dialect->rules().offset_variables);
     const auto cell = make_cell_monitor(make_cell_source(found_), machine_);
     if (!cell) return false;
-    simulation::RunLimits limits = run_limits(found_.request, cpu_);
+    simulation::RunLimits limits = run_limits(found_.request, cpu_limit_);
     limits.stop_at_first = true;
     simulation::Simulator simulator(machine_, limits);
     simulator.set_cell(**cell);
-    simulator.set_probe(probe_);
+    simulator.probing().set_surface(probe_);
     const TextDiagnosticHandler on_diagnostic = [](const text::Diagnostic&) {
     };  // the first run has reported them
     script::Engine::Options options = engine_options(found_.request, std::move(data), language_,
-                                                     {.cpu = cpu_, .on_diagnostic = on_diagnostic});
+                                                     {.cpu = cpu_limit_, .on_diagnostic = on_diagnostic});
     options.setup = setup_;
     script::Engine engine(simulator, options);
     engine.run(script::Script(program_));

@@ -22,7 +22,7 @@ class SuggestedFixSearch {
     bool is_fixed_by(const std::vector<simulation::OffsetShift>& shifts) const;
 
     const ResolvedRequest& found_;
-    os::CpuLimit& cpu_;
+    os::CpuLimit& cpu_limit_;
     machine::Machine machine_;
     machine::MachineData data_;
     Language language_;

@@ -45,8 +45,7 @@ codegen::Translation translate_source(lexer::Source& source, codegen::LuaSpool& 
     }
     if (!language.caution.empty())
         on_diagnostic(caution_diagnostic(source, language, text::Severity::warning));
-    const bool always_mm = language.dialect->rules().style == lexer::Style::command_lines;
-    if (language.units || always_mm) return result;
+    if (language.units || language.dialect->rules().always_mm) return result;
     if (const auto inches = codegen::find_inch_hint(source)) on_diagnostic(*inches);
     return result;
 }

@@ -18,9 +18,9 @@ using text::DiagnosticKind;
 class Translation::State {
   public:
     State(const TranslationRequest& request, Language language, lexer::Source source)
-        : cpu_(request.cpu_s), language_(std::move(language)), source_(std::move(source)) {
-        cpu_.cancel_when(request.cancel.flag());
-        language_.cpu = &cpu_;
+        : cpu_limit_(request.cpu_s), language_(std::move(language)), source_(std::move(source)) {
+        cpu_limit_.set_cancel_flag(request.cancel.flag());
+        language_.cpu = &cpu_limit_;
         options_.annotate = request.annotate;
         options_.max_errors = request.max_errors;
     }
@@ -45,7 +45,7 @@ class Translation::State {
     }
 
   private:
-    os::CpuLimit cpu_;
+    os::CpuLimit cpu_limit_;
     Language language_;
     lexer::Source source_;
     codegen::TranslateOptions options_;
@@ -54,7 +54,7 @@ class Translation::State {
 
 namespace {
 
-tl::expected<void, std::string> add_cell_files(TranslationRequest& request) {
+Result<void> add_cell_files(TranslationRequest& request) {
     if (request.cell.empty()) return {};
     Request run;
     run.machine = request.machine;
@@ -67,7 +67,7 @@ tl::expected<void, std::string> add_cell_files(TranslationRequest& request) {
     });
 }
 
-tl::expected<machine::MachineData, std::string> read_data(const TranslationRequest& request) {
+Result<machine::MachineData> read_data(const TranslationRequest& request) {
     if (request.machine_data.empty()) return machine::MachineData();
     return request.host.files.impl()
         .read_text(request.machine_data, os::NameSource::command_line)
@@ -75,15 +75,15 @@ tl::expected<machine::MachineData, std::string> read_data(const TranslationReque
             [&](const std::string& text) { return machine::read_machine_data(text, request.machine_data); });
 }
 
-tl::expected<machine::ProgramTable, std::string> read_table(const TranslationRequest& request) {
+Result<machine::ProgramTable> read_table(const TranslationRequest& request) {
     if (request.machine.empty()) return machine::ProgramTable();
     return read_program_input(request.host, request.machine);
 }
 
-tl::expected<lexer::Source, std::string> open_program(TranslationRequest& request) {
+Result<lexer::Source> open_program(TranslationRequest& request) {
     if (request.text) return std::move(request.text->impl());
     return resolve_name(request.host, NameKind::sample, request.program)
-        .and_then([&](const std::string& file) {
+        .and_then([&](const std::string& file) -> Result<lexer::Source> {
             return lexer::Source::open(request.host.files.impl(), file, os::NameSource::command_line);
         });
 }
@@ -96,13 +96,13 @@ tl::expected<Translation, Error> Translation::open(TranslationRequest request) {
             return tl::unexpected(make_error(DiagnosticKind::input_file, message, std::move(file)));
         };
         if (auto result = add_cell_files(request); !result)
-            return unexpected_error(result.error(), request.cell);
+            return unexpected_error(result.error().message, request.cell);
         const auto data = read_data(request);
-        if (!data) return unexpected_error(data.error(), request.machine_data);
+        if (!data) return unexpected_error(data.error().message, request.machine_data);
         const auto table = read_table(request);
-        if (!table) return unexpected_error(table.error(), request.machine);
+        if (!table) return unexpected_error(table.error().message, request.machine);
         auto language = make_language(request.language, *table, *data);
-        if (!language) return unexpected_error(language.error());
+        if (!language) return unexpected_error(language.error().message);
         auto source = open_program(request);
         if (!source) return tl::unexpected(make_error(DiagnosticKind::file, source.error(), request.program));
         return Translation(std::make_unique<State>(request, *std::move(language), *std::move(source)));
@@ -128,7 +128,7 @@ tl::expected<void, Error> Translation::write(const std::function<bool(std::strin
         return state_->spool()
             .copy_to([&](std::string_view part) { continues = continues && callback(part); })
             .map_error(
-                [](std::string message) { return make_error(DiagnosticKind::output, std::move(message)); });
+                [](const gsim::Error& error) { return make_error(DiagnosticKind::output, error.message); });
     });
 }
 

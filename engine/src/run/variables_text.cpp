@@ -7,16 +7,14 @@
 
 namespace gsim::engine {
 
-tl::expected<std::map<int, double>, std::string> read_variables(const os::Files& files,
-                                                                const std::string& path) {
+Result<std::map<int, double>> read_variables(const os::Files& files, const std::string& path) {
     if (files.is_absent(path)) return std::map<int, double>();
     return files.read_text(path, os::NameSource::command_line).and_then([&](const std::string& text) {
         return parse_variables(text, path);
     });
 }
 
-tl::expected<std::map<int, double>, std::string> parse_variables(std::string_view text,
-                                                                 std::string_view file_name) {
+Result<std::map<int, double>> parse_variables(std::string_view text, std::string_view file_name) {
     std::map<int, double> values;
     std::istringstream lines{std::string(text)};
     std::string line;
@@ -27,8 +25,8 @@ tl::expected<std::map<int, double>, std::string> parse_variables(std::string_vie
         std::string remainder;
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
         if (!(words >> variable >> value) || words >> remainder)
-            return tl::unexpected(
-                fmt::format("{}:{}: a line is the number of a variable and its value", file_name, number));
+            return Unexpected(fmt::format("{}:{}: a line must have the number of a variable and its value",
+                                          file_name, number));
         values[variable] = value;
     }
     return values;

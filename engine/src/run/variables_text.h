@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/files.h"
 
 namespace gsim::engine {
@@ -13,12 +12,10 @@ namespace gsim::engine {
 /// Returns the permanent variables by number, as a controller keeps them from one run to the next: a text
 /// file with `number value` in each line, as LinuxCNC's .var files are. Without such a file the result is
 /// empty. The error is a message with file and line.
-tl::expected<std::map<int, double>, std::string> read_variables(const os::Files& files,
-                                                                const std::string& path);
+Result<std::map<int, double>> read_variables(const os::Files& files, const std::string& path);
 
 /// Does the same with the text of such a file.
-tl::expected<std::map<int, double>, std::string> parse_variables(std::string_view text,
-                                                                 std::string_view file_name);
+Result<std::map<int, double>> parse_variables(std::string_view text, std::string_view file_name);
 
 /// Returns the contents of such a file: parse_variables() returns the same values again.
 std::string variables_text(const std::map<int, double>& values);

@@ -91,8 +91,8 @@ class ArcReader {
         interpreter_.alarm(state_, kind, message);
     }
     template <typename Value>
-    Value unwrap(tl::expected<Value, std::string> result) {
-        if (!result) alarm(DiagnosticKind::arc, result.error());
+    Value unwrap(Result<Value> result) {
+        if (!result) alarm(DiagnosticKind::arc, result.error().message);
         return *result;
     }
 
@@ -131,10 +131,10 @@ void ArcReader::check_words() {
     const char second = upper(center_word(plane_.second));
     if (words_.radius && (has_center() || words_.angle))
         alarm(DiagnosticKind::code_conflict,
-              "an arc is given by its radius R, or by its centre or its angle, not by both");
+              "an arc must be given by its radius R, or by its centre or angle, not by both");
     if (center_offset(plane_.normal)) {
         alarm(DiagnosticKind::word_out_of_place,
-              fmt::format("{} is no centre word of the plane in force; it takes {} and {}",
+              fmt::format("{} is not a centre word of the active plane; it accepts {} and {}",
                           upper(center_word(plane_.normal)), first, second));
     }
     if (!words_.radius && !words_.angle && !has_center()) {
@@ -148,7 +148,7 @@ int ArcReader::machine_axis(int axis) {
     const int index = interpreter_.axis(axis_word(axis)[0]);
     if (index < 0) {
         alarm(DiagnosticKind::axis,
-              fmt::format("an arc in this plane moves the axis {}, and the machine '{}' has none",
+              fmt::format("an arc in this plane moves axis {}, which the machine '{}' does not have",
                           upper(axis_word(axis)), interpreter_.simulator().machine().name));
     }
     return index;
@@ -192,7 +192,7 @@ void ArcReader::map_plane() {
     const Vector3d b = direction(plane_.second);
     scale_ = a.norm();
     if (std::abs(a.dot(b)) > kRounding * scale_ * scale_ || std::abs(scale_ - b.norm()) > kRounding * scale_)
-        alarm(DiagnosticKind::arc, "an arc becomes an ellipse where its two axes are scaled differently");
+        alarm(DiagnosticKind::arc, "an arc becomes an ellipse if its two axes are scaled differently");
     const Vector3d turned = a.cross(b) / (scale_ * scale_);
     normal_ = simulation::canonical_normal(turned);
     preserves_sense_ = normal_.dot(turned) > 0;
@@ -232,7 +232,8 @@ ArcSolution ArcReader::solve_by_center(ArcEnds& ends) {
         return unwrap(arc_by_center(ends, about, modal.arc_rules, interpreter_.unit_mm() != 1));
     if (has_word(state_, index_, axis_word(plane_.first)) ||
         has_word(state_, index_, axis_word(plane_.second))) {
-        alarm(DiagnosticKind::code_conflict, "an arc by its angle AR= takes its end or its centre, not both");
+        alarm(DiagnosticKind::code_conflict,
+              "an arc given by its angle AR= needs its end or its centre, not both");
     }
     const double sweep_rad = unwrap(arc_angle_rad(*words_.angle));
     ends.end = end_by_angle(ends, about, sweep_rad);
@@ -242,7 +243,7 @@ ArcSolution ArcReader::solve_by_center(ArcEnds& ends) {
 ArcSolution ArcReader::solve(ArcEnds& ends, bool moved) {
     if (has_center()) return solve_by_center(ends);
     if (!words_.radius) return unwrap(arc_by_angle(ends, unwrap(arc_angle_rad(*words_.angle))));
-    if (!moved) alarm(DiagnosticKind::word_missing, "an arc by its radius needs its end");
+    if (!moved) alarm(DiagnosticKind::word_missing, "an arc given by its radius needs its end");
     const double radius_mm = *words_.radius * interpreter_.unit_mm() * scale_;
     return unwrap(arc_by_radius(ends, radius_mm, interpreter_.modal().arc_rules));
 }
@@ -278,7 +279,7 @@ constexpr std::array<const char*, 4> kPlanes{"xy", "zx", "yz", nullptr};
 Vector3d check_vector_field(lua_State* state, int index, const char* name) {
     lua_getfield(state, index, name);
     luaL_argcheck(state, lua_type(state, -1) == LUA_TTABLE, index,
-                  "a plane is a name, or { first = {x=, y=, z=}, second = {...} }");
+                  "a plane must be a name, or { first = {x=, y=, z=}, second = {...} }");
     Vector3d vector;
     for (int axis = 0; axis < 3; ++axis) vector[axis] = number_field(state, -1, axis_word(axis));
     lua_pop(state, 1);

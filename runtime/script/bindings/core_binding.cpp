@@ -49,7 +49,7 @@ int make_counted_word(lua_State* state) {
 DiagnosticKind check_kind(lua_State* state, int index) {
     const char* code = luaL_checkstring(state, index);
     const std::optional<DiagnosticKind> kind = text::diagnostic_kind(code);
-    if (!kind) luaL_error(state, "'%s' is no code of a diagnostic", code);
+    if (!kind) luaL_error(state, "'%s' is not a diagnostic code", code);
     return *kind;
 }
 
@@ -73,13 +73,13 @@ int alarm_at_location(lua_State* state) {
 /// core.enter_program(name): enters a program that is called from here.
 int enter_program(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
-    interpreter.simulator().enter_program(luaL_checkstring(state, 1), interpreter.location());
+    interpreter.simulator().program().calls().enter(luaL_checkstring(state, 1), interpreter.location());
     return 0;
 }
 
 /// core.repeat_program(): the program called last runs once more.
 int repeat_program(lua_State* state) {
-    bound_interpreter(state).simulator().repeat_program();
+    bound_interpreter(state).simulator().program().calls().repeat();
     return 0;
 }
 
@@ -91,38 +91,38 @@ int report_pass(lua_State* state) {
     passes.count = static_cast<std::uint64_t>(luaL_checkinteger(state, 1));
     passes.location = interpreter.location();
     if (!lua_isnoneornil(state, 2)) passes.to_block = luaL_checkinteger(state, 2);
-    interpreter.simulator().set_passes(passes);
+    interpreter.simulator().program().calls().set_passes(passes);
     return 0;
 }
 
 int leave_program(lua_State* state) {
-    bound_interpreter(state).simulator().leave_program();
+    bound_interpreter(state).simulator().program().calls().leave();
     return 0;
 }
 
 /// core.stop(message): ends the run as a limit does.
 int stop(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
-    interpreter.simulator().stop(DiagnosticKind::run_limit, luaL_checkstring(state, 1),
-                                 interpreter.location());
+    interpreter.simulator().outcome().stop(DiagnosticKind::run_limit, luaL_checkstring(state, 1),
+                                           interpreter.location());
     LuaState::raise_stop(state);
 }
 
 /// core.time(): seconds of the machine since the start.
 int time(lua_State* state) {
-    lua_pushnumber(state, bound_interpreter(state).simulator().time_s());
+    lua_pushnumber(state, bound_interpreter(state).simulator().clock().time_s());
     return 1;
 }
 
 int warn(lua_State* state) {
-    bound_interpreter(state).simulator().warn(luaL_checkstring(state, 1));
+    bound_interpreter(state).simulator().warnings().add(luaL_checkstring(state, 1));
     return 0;
 }
 
 /// core.finish(): the program is at its end.
 int finish(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
-    interpreter.simulator().end_program(interpreter.location());
+    interpreter.simulator().program().process().end_program(interpreter.location());
     interpreter.end_program();
     LuaState::raise_stop(state);
 }
@@ -177,7 +177,7 @@ int set_feed(lua_State* state) {
     const double value = luaL_checknumber(state, 1);
     if (!(value > 0) || !std::isfinite(value))
         interpreter.alarm(state, DiagnosticKind::word_value,
-                          fmt::format("F is a number above 0, not {:.10g}", value));
+                          fmt::format("F must be a number above 0, not {:.10g}", value));
     interpreter.modal().feed = value;
     interpreter.modal().feed_unit_mm = interpreter.unit_mm();
     interpreter.modal().feed_is_new = true;
@@ -247,8 +247,8 @@ int axes(lua_State* state) {
 
 /// core.set_process(on, with_motion)
 int set_process(lua_State* state) {
-    bound_interpreter(state).simulator().set_process(lua_toboolean(state, 1) != 0,
-                                                     lua_toboolean(state, 2) != 0);
+    bound_interpreter(state).simulator().program().process().set(lua_toboolean(state, 1) != 0,
+                                                                 lua_toboolean(state, 2) != 0);
     return 0;
 }
 

@@ -37,7 +37,7 @@ class WordList final : public NonAxisWords {
 int check_axis(lua_State* state, int argument) {
     const std::string_view letter = luaL_checkstring(state, argument);
     const int axis = letter.size() == 1 ? bound_interpreter(state).axis(letter[0]) : -1;
-    luaL_argcheck(state, axis >= 0, argument, "no axis of the machine");
+    luaL_argcheck(state, axis >= 0, argument, "not an axis of the machine");
     return axis;
 }
 
@@ -46,7 +46,7 @@ int check_axis(lua_State* state, int argument) {
 int set_offset(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     if (interpreter.frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2)))
-        interpreter.simulator().wait();
+        interpreter.simulator().clock().wait();
     return 0;
 }
 
@@ -70,7 +70,8 @@ int has_matrix(lua_State* state) {
 /// core.set_matrix(nil or {nine numbers, row by row})
 int set_matrix(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
-    if (interpreter.frame().has_matrix() || !lua_isnoneornil(state, 1)) interpreter.simulator().wait();
+    if (interpreter.frame().has_matrix() || !lua_isnoneornil(state, 1))
+        interpreter.simulator().clock().wait();
     if (lua_isnoneornil(state, 1)) {
         interpreter.frame().set_matrix(std::nullopt);
         return 0;
@@ -84,7 +85,7 @@ int set_matrix(lua_State* state) {
     }
     if (!interpreter.frame().set_matrix(matrix))
         interpreter.alarm(state, DiagnosticKind::frame,
-                          "a scale of 0 leaves nothing of the program; scales are other than 0");
+                          "a scale of 0 is not allowed, because it reduces the program to a point");
     return 0;
 }
 
@@ -105,7 +106,7 @@ int position(lua_State* state) {
 }
 
 int machine_position(lua_State* state) {
-    lua_pushnumber(state, bound_interpreter(state).simulator().position()[check_axis(state, 1)]);
+    lua_pushnumber(state, bound_interpreter(state).simulator().position().axes()[check_axis(state, 1)]);
     return 1;
 }
 
@@ -194,13 +195,13 @@ int set_tcp_control(lua_State* state) {
             lua_pop(state, 1);
         }
     }
-    interpreter.check(state, interpreter.simulator().set_tcp_control(offset, interpreter.location()));
+    interpreter.check(state, interpreter.simulator().tcp_control().set(offset, interpreter.location()));
     return 0;
 }
 
 /// core.tcp_control(): true if it is on.
 int tcp_control(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(bound_interpreter(state).simulator().has_tcp_control()));
+    lua_pushboolean(state, static_cast<int>(bound_interpreter(state).simulator().tcp_control().is_on()));
     return 1;
 }
 

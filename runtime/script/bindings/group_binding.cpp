@@ -61,7 +61,7 @@ void read_targets(lua_State* state, Interpreter& interpreter, const machine::Axi
                   std::vector<simulation::GroupTarget>& targets) {
     if (!lua_istable(state, -1)) {
         interpreter.alarm(state, DiagnosticKind::script,
-                          fmt::format("where a group goes is told by a table of its axes ({}): {} = {{...}}",
+                          fmt::format("the target of a group must be a table of its axes ({}): {} = {{...}}",
                                       group_letters(interpreter.simulator().machine(), group), group.name));
     }
     const std::size_t first = targets.size();
@@ -69,8 +69,9 @@ void read_targets(lua_State* state, Interpreter& interpreter, const machine::Axi
         const std::size_t axis = check_group_axis(state, interpreter, group);
         const double value = lua_type(state, -1) == LUA_TNUMBER ? lua_tonumber(state, -1) : NAN;
         if (!std::isfinite(value)) {
-            interpreter.alarm(state, DiagnosticKind::script,
-                              fmt::format("the value of an axis of the group '{}' is no number", group.name));
+            interpreter.alarm(
+                state, DiagnosticKind::script,
+                fmt::format("the value of an axis of the group '{}' is not a number", group.name));
         }
         targets.push_back({axis, value});
     }
@@ -87,19 +88,20 @@ std::size_t check_group(lua_State* state, Interpreter& interpreter, int index) {
     }
     const auto names = group_names(machine);
     const auto nearest = text::nearest_name(name, names);
-    interpreter.alarm(state, DiagnosticKind::machine,
-                      fmt::format("there is no group of axes '{}'; {}", name,
-                                  nearest         ? fmt::format("did you mean '{}'?", *nearest)
-                                  : names.empty() ? "tables [[group]] of the machine file make them"
-                                                  : fmt::format("there are: {}", text::joined(names, ", "))));
+    interpreter.alarm(
+        state, DiagnosticKind::machine,
+        fmt::format("unknown axis group '{}'; {}", name,
+                    nearest         ? fmt::format("did you mean '{}'?", *nearest)
+                    : names.empty() ? "groups are defined by tables [[group]] of the machine file"
+                                    : fmt::format("known groups: {}", text::joined(names, ", "))));
 }
 
 void check_coordinated(lua_State* state, Interpreter& interpreter, const machine::AxisGroup& group) {
     const auto index = static_cast<std::size_t>(&group - interpreter.simulator().machine().groups.data());
-    if (interpreter.simulator().group_motion(index) != machine::GroupMotion::independent) return;
+    if (interpreter.simulator().groups().motion(index) != machine::GroupMotion::independent) return;
     interpreter.alarm(
         state, DiagnosticKind::mode,
-        fmt::format("the group '{0}' is independent; group(\"{0}\").move{{...}} moves it", group.name));
+        fmt::format("the group '{0}' is independent; move it with group(\"{0}\").move{{...}}", group.name));
 }
 
 /// core.group_names()
@@ -118,7 +120,7 @@ int group_motion(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     const std::size_t group = check_group(state, interpreter, 1);
-    lua_pushstring(state, kMotions[static_cast<std::size_t>(interpreter.simulator().group_motion(group))]);
+    lua_pushstring(state, kMotions[static_cast<std::size_t>(interpreter.simulator().groups().motion(group))]);
     return 1;
 }
 
@@ -130,12 +132,11 @@ int set_group_motion(lua_State* state) {
     const auto motion = static_cast<machine::GroupMotion>(check_option(state, 2, nullptr, kMotions));
     if (motion == machine::GroupMotion::coordinated &&
         !can_coordinate_groups(interpreter.simulator().machine())) {
-        interpreter.alarm(
-            state, DiagnosticKind::mode,
-            "groups are coordinated on machines with inverse = \"numeric\"; where X, Y and Z carry "
-            "the tip, G43.4 coordinates all axes");
+        interpreter.alarm(state, DiagnosticKind::mode,
+                          "groups are coordinated on machines with inverse = \"numeric\"; if X, Y and Z "
+                          "carry the TCP, G43.4 coordinates all axes");
     }
-    interpreter.simulator().set_group_motion(group, motion);
+    interpreter.simulator().groups().set_motion(group, motion);
     return 0;
 }
 
@@ -146,17 +147,16 @@ int move_group(lua_State* state) {
     interpreter.attach(state);
     const std::size_t group = check_group(state, interpreter, 1);
     const machine::AxisGroup& moved = interpreter.simulator().machine().groups[group];
-    if (interpreter.simulator().group_motion(group) != machine::GroupMotion::independent) {
-        interpreter.alarm(
-            state, DiagnosticKind::mode,
-            fmt::format("the group '{0}' is led by poses; group(\"{0}\").independent() comes before it "
-                        "moves by itself",
-                        moved.name));
+    if (interpreter.simulator().groups().motion(group) != machine::GroupMotion::independent) {
+        interpreter.alarm(state, DiagnosticKind::mode,
+                          fmt::format("the group '{0}' moves with poses; call group(\"{0}\").independent() "
+                                      "before it moves independently",
+                                      moved.name));
     }
     lua_settop(state, 2);
     std::vector<simulation::GroupTarget> targets;
     read_targets(state, interpreter, moved, targets);
-    interpreter.check(state, interpreter.simulator().move_group(group, targets, interpreter.location()));
+    interpreter.check(state, interpreter.simulator().groups().move(group, targets, interpreter.location()));
     return 0;
 }
 
@@ -165,7 +165,7 @@ int wait_for_groups(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     interpreter.attach(state);
-    interpreter.check(state, interpreter.simulator().wait_for_groups(interpreter.location()));
+    interpreter.check(state, interpreter.simulator().groups().wait(interpreter.location()));
     return 0;
 }
 
@@ -180,8 +180,8 @@ std::vector<simulation::GroupTarget> check_group_targets(lua_State* state, Inter
         if (!lua_isnil(state, -1)) {
             if (!can_coordinate_groups(machine)) {
                 interpreter.alarm(state, DiagnosticKind::mode,
-                                  fmt::format("the inverse of this machine finds the axes of the group '{}' "
-                                              "itself; words such as G1 lead them",
+                                  fmt::format("the inverse of this machine calculates the axes of the group "
+                                              "'{}'; move them by words such as G1",
                                               group.name));
             }
             check_coordinated(state, interpreter, group);

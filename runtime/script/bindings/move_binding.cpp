@@ -93,7 +93,7 @@ int rapid_to(lua_State* state) {
     move.kind = MoveKind::rapid;
     move.target = check_axes(state, interpreter, 1);
     move.location = check_location(state, 2);
-    interpreter.check(state, interpreter.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().moves().enqueue(move));
     return 0;
 }
 
@@ -107,7 +107,7 @@ int line_to(lua_State* state) {
     move.feed = check_feed(state, 2, std::nullopt);
     move.location = check_location(state, 3);
     move.kind = kKinds[check_option(state, 4, "linear", kNames)];
-    interpreter.check(state, interpreter.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().moves().enqueue(move));
     return 0;
 }
 
@@ -119,7 +119,7 @@ int probe(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     simulation::ProbeMove move;
     move.line.kind = MoveKind::probe;
-    move.line.target = check_axes(state, interpreter, 1, interpreter.simulator().position());
+    move.line.target = check_axes(state, interpreter, 1, interpreter.simulator().position().axes());
     move.line.feed = check_feed(state, 2, std::nullopt);
     move.line.location = check_location(state, 3);
     move.away = lua_toboolean(state, 4) != 0;
@@ -130,7 +130,7 @@ int probe(lua_State* state) {
         move.response = simulation::ProbeMove::ProbeResponse::never;
     }
     simulation::ProbeResult result;
-    interpreter.check(state, interpreter.simulator().probe(move, result));
+    interpreter.check(state, interpreter.simulator().probing().probe(move, result));
     lua_pushboolean(state, static_cast<int>(result.found));
     lua_pushboolean(state, static_cast<int>(result.at_start));
     push_axes(state, interpreter, result.at);
@@ -144,7 +144,7 @@ int joint_to(lua_State* state) {
     move.kind = MoveKind::rapid;
     move.target = check_axes(state, interpreter, 1);
     move.location = interpreter.location();
-    interpreter.check(state, interpreter.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().moves().enqueue(move));
     return 0;
 }
 
@@ -164,7 +164,7 @@ int arc(lua_State* state) {
     move.target = check_axes(state, interpreter, 6);
     move.feed = check_feed(state, 7, move.sweep_rad);
     move.location = check_location(state, 8);
-    interpreter.check(state, interpreter.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().moves().enqueue(move));
     return 0;
 }
 
@@ -176,7 +176,7 @@ int arc_via(lua_State* state) {
     move.target = check_axes(state, interpreter, 2);
     move.feed = interpreter.feed(state, luaL_checknumber(state, 3));
     move.location = interpreter.location();
-    interpreter.check(state, interpreter.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().moves().enqueue(move));
     return 0;
 }
 
@@ -185,24 +185,24 @@ int dwell(lua_State* state) {
     const double seconds = luaL_checknumber(state, 1);
     if (!(seconds >= 0) || !std::isfinite(seconds))
         interpreter.alarm(state, DiagnosticKind::word_value,
-                          fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
-    interpreter.check(state, interpreter.simulator().dwell(seconds, check_location(state, 2)));
+                          fmt::format("a dwell must be 0 seconds or more, not {:.10g}", seconds));
+    interpreter.check(state, interpreter.simulator().dwells().enqueue(seconds, check_location(state, 2)));
     return 0;
 }
 
 /// core.event(kind, detail, place, "at_standstill" | "in_passing" | "with_motion")
 int event(lua_State* state) {
-    static constexpr std::array<const char*, 4> kWhen{"at_rest", "in_passing", "with_motion", nullptr};
+    static constexpr std::array<const char*, 4> kTimings{"at_rest", "in_passing", "with_motion", nullptr};
     Interpreter& interpreter = bound_interpreter(state);
-    interpreter.simulator().event(
+    interpreter.simulator().events().add(
         luaL_checkstring(state, 1), luaL_optstring(state, 2, ""), check_location(state, 3),
-        static_cast<simulation::Simulator::EventTiming>(check_option(state, 4, "at_rest", kWhen)));
+        static_cast<simulation::EventTiming>(check_option(state, 4, "at_rest", kTimings)));
     return 0;
 }
 
 /// core.exact_stop_once(): the next move ends in an exact stop.
 int exact_stop_once(lua_State* state) {
-    bound_interpreter(state).simulator().exact_stop_once();
+    bound_interpreter(state).simulator().program().settings().exact_stop_once();
     return 0;
 }
 
@@ -211,19 +211,20 @@ int dwell_for_word(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     const double seconds = luaL_checknumber(state, 1);
     const std::string key = luaL_checkstring(state, 2);
-    interpreter.check(state, interpreter.simulator().dwell_for_word(seconds, key, check_location(state, 3)));
+    interpreter.check(
+        state, interpreter.simulator().dwells().enqueue_for_word(seconds, key, check_location(state, 3)));
     return 0;
 }
 
 /// core.wait(): the controller reads on when all moves have been made.
 int wait(lua_State* state) {
-    bound_interpreter(state).simulator().wait();
+    bound_interpreter(state).simulator().clock().wait();
     return 0;
 }
 
 /// core.set_spindle_speed(rev_min): for what follows, in the order of the moves.
 int set_spindle_speed(lua_State* state) {
-    bound_interpreter(state).simulator().set_spindle_speed(luaL_checknumber(state, 1));
+    bound_interpreter(state).simulator().program().settings().set_spindle_speed(luaL_checknumber(state, 1));
     return 0;
 }
 
@@ -233,7 +234,7 @@ int select_work_offset(lua_State* state) {
     offset.name = luaL_checkstring(state, 1);
     luaL_checktype(state, 2, LUA_TTABLE);
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
-        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
+        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "axis letters are expected");
         const int axis = bound_interpreter(state).axis(*lua_tostring(state, -2));
         if (axis < 0) continue;
         const auto& axes = bound_interpreter(state).simulator().machine().axes;
@@ -241,7 +242,7 @@ int select_work_offset(lua_State* state) {
     }
     offset.rotation_deg = luaL_optnumber(state, 3, 0);
     offset.moved = lua_toboolean(state, 4) != 0;
-    bound_interpreter(state).simulator().select_work_offset(offset);
+    bound_interpreter(state).simulator().program().work_offsets().select(offset);
     return 0;
 }
 
@@ -249,7 +250,7 @@ int select_work_offset(lua_State* state) {
 /// obey.
 int lock_overrides(lua_State* state) {
     const auto is_locked = [state](int index) { return lua_toboolean(state, index) != 0; };
-    bound_interpreter(state).simulator().lock_overrides(
+    bound_interpreter(state).simulator().program().settings().lock_overrides(
         {.feed = is_locked(1), .rapid = is_locked(2), .spindle = is_locked(3)});
     return 0;
 }
@@ -258,15 +259,15 @@ int lock_overrides(lua_State* state) {
 int set_path_mode(lua_State* state) {
     static constexpr std::array<const char*, 4> kNames{"exact_stop", "exact_path", "continuous", nullptr};
     const auto mode = static_cast<rrs::PathMode>(check_option(state, 1, nullptr, kNames));
-    bound_interpreter(state).simulator().set_path_mode(mode, luaL_optnumber(state, 2, 0),
-                                                       luaL_optnumber(state, 3, 0));
+    bound_interpreter(state).simulator().program().settings().set_path_mode(mode, luaL_optnumber(state, 2, 0),
+                                                                            luaL_optnumber(state, 3, 0));
     return 0;
 }
 
 /// core.set_ramps("machine" | "linear" | "s_curve" | "infinite")
 int set_ramps(lua_State* state) {
     static constexpr std::array<const char*, 5> kNames{"machine", "linear", "s_curve", "infinite", nullptr};
-    bound_interpreter(state).simulator().set_ramps(
+    bound_interpreter(state).simulator().program().ramps().set_mode(
         static_cast<rrs::RampMode>(check_option(state, 1, nullptr, kNames)));
     return 0;
 }
@@ -278,19 +279,19 @@ int set_ramp_limits(lua_State* state) {
     luaL_checktype(state, 2, LUA_TTABLE);
     std::map<int, double> values;  // in the order of the axes, which that of a table is not
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
-        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
+        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "axis letters are expected");
         const int axis = bound_interpreter(state).axis(*lua_tostring(state, -2));
-        luaL_argcheck(state, axis >= 0, 2, "there is no such axis");
+        luaL_argcheck(state, axis >= 0, 2, "unknown axis");
         values[axis] = luaL_checknumber(state, -1);
     }
     for (const auto& [axis, value] : values)
-        bound_interpreter(state).simulator().set_ramp_limit(limit, axis, value);
+        bound_interpreter(state).simulator().program().ramps().set_limit(limit, axis, value);
     return 0;
 }
 
 /// core.reset_ramp_limits(): those of the machine.
 int reset_ramp_limits(lua_State* state) {
-    bound_interpreter(state).simulator().reset_ramp_limits();
+    bound_interpreter(state).simulator().program().ramps().reset_limits();
     return 0;
 }
 
@@ -304,7 +305,7 @@ int set_path_limits(lua_State* state) {
         lua_pop(state, 1);
         return value;
     };
-    bound_interpreter(state).simulator().set_path_limits(
+    bound_interpreter(state).simulator().program().settings().set_path_limits(
         {.speed_mm_s = field("speed"),
          .acceleration_mm_s2 = field("acceleration"),
          .square_corner_velocity_mm_s = field("square_corner_velocity"),

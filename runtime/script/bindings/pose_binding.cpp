@@ -30,10 +30,10 @@ rrs::CartPos check_rpy_pose(lua_State* state, int index) {
 /// degrees; groups of axes, by their names, are at the pose's values, or else at their current ones.
 int pose_axes(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
-    const tl::expected<simulation::AxisVector, std::string> axes = interpreter.simulator().solve_axes(
-        check_rpy_pose(state, 1), check_group_targets(state, interpreter, 1));
+    const auto axes = interpreter.simulator().poses().solve_axes(check_rpy_pose(state, 1),
+                                                                 check_group_targets(state, interpreter, 1));
     if (!axes) interpreter.alarm(state, DiagnosticKind::unreachable, axes.error());
-    interpreter.simulator().warn_if_singular(*axes, interpreter.location());
+    interpreter.simulator().poses().warn_if_singular(*axes, interpreter.location());
     push_axes(state, interpreter, *axes);
     return 1;
 }
@@ -48,13 +48,14 @@ int pose_move(lua_State* state) {
     if (!lua_isnoneornil(state, 2)) move.via = check_rpy_pose(state, 2);
     move.feed = interpreter.feed(state, move.via ? std::optional(1.0) : std::nullopt);
     move.location = interpreter.location();
-    interpreter.check(state, interpreter.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().moves().enqueue(move));
     return 0;
 }
 
 /// core.rotary_joints_move_tcp(): true if a line of the axes between two poses is not one of the tool.
 int rotary_joints_move_tcp(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(bound_interpreter(state).simulator().rotary_joints_move_tcp()));
+    lua_pushboolean(state,
+                    static_cast<int>(bound_interpreter(state).simulator().poses().rotary_joints_move_tcp()));
     return 1;
 }
 

@@ -87,8 +87,9 @@ int service<&Shell::GetMessage>(lua_State* state) {
 template <>
 int service<&Shell::GetInverseKinematics>(lua_State* state) {
     rrs::JointPos joints;
-    const rrs::JointPos near = lua_isnoneornil(state, 2) ? bound_interpreter(state).simulator().joints()
-                                                         : check_joints(state, 2, joint_count(state));
+    const rrs::JointPos near = lua_isnoneornil(state, 2)
+                                   ? bound_interpreter(state).simulator().motion().source().position()
+                                   : check_joints(state, 2, joint_count(state));
     const Status status = bound_shell(state).GetInverseKinematics(check_pose(state, 1), near, joints);
     return push_status(state, status, joints);
 }
@@ -97,20 +98,20 @@ template <>
 int service<&Shell::GetCellFrame>(lua_State* state) {
     rrs::CartPos frame;
     const Status status =
-        bound_interpreter(state).simulator().get_cell_frame(luaL_checkstring(state, 1), frame);
+        bound_interpreter(state).simulator().cell().get_frame(luaL_checkstring(state, 1), frame);
     return push_status(state, status, frame);
 }
 
 template <>
 int service<&Shell::ModifyCellFrame>(lua_State* state) {
-    return push_status(state, bound_interpreter(state).simulator().modify_cell_frame(
+    return push_status(state, bound_interpreter(state).simulator().cell().modify_frame(
                                   luaL_checkstring(state, 1), check_pose(state, 2)));
 }
 
 template <>
 int service<&Shell::SetInitialPosition>(lua_State* state) {
     const Target target = check_target(state, 1);
-    return push_status(state, bound_interpreter(state).simulator().set_start([&] {
+    return push_status(state, bound_interpreter(state).simulator().services().set_start([&] {
         return bound_shell(state).SetInitialPosition(target.pose, target.joints, {});
     }));
 }
@@ -124,8 +125,8 @@ int queue(lua_State* state, rrs::TargetParam param, const std::string& name) {
         return bound_shell(state).SetNextNamedTarget(id, param, target.pose, target.joints, {}, 0, name);
     };
     if (param == rrs::TargetParam::via) return push_status(state, call(0));
-    const Status status =
-        interpreter.simulator().queue_target(simulation::MoveKind::linear, interpreter.location(), call);
+    const Status status = interpreter.simulator().services().queue_target(simulation::MoveKind::linear,
+                                                                          interpreter.location(), call);
     LuaState::of(state).restart_steps();
     return push_status(state, status);
 }
@@ -143,12 +144,12 @@ int service<&Shell::SetNextNamedTarget>(lua_State* state) {
 
 template <>
 int service<&Shell::CancelMotion>(lua_State* state) {
-    return push_status(state, bound_interpreter(state).simulator().cancel_motion());
+    return push_status(state, bound_interpreter(state).simulator().services().cancel_motion());
 }
 
 template <>
 int service<&Shell::SelectTracking>(lua_State* state) {
-    return push_status(state, bound_interpreter(state).simulator().select_tracking(
+    return push_status(state, bound_interpreter(state).simulator().services().select_tracking(
                                   Arguments(state).next<int>(), lua_toboolean(state, 2) != 0));
 }
 

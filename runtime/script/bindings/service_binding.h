@@ -127,7 +127,7 @@ inline void push_output(lua_State* state, std::integral auto number) {
 
 inline rrs::Shell& bound_shell(lua_State* state) {
     bound_interpreter(state).attach(state);
-    return bound_interpreter(state).simulator().shell();
+    return bound_interpreter(state).simulator().services().shell();
 }
 
 /// Pushes the status alone; returns the number of results.

@@ -30,22 +30,22 @@ int set_zone(lua_State* state) {
         luaL_checktype(state, 1, LUA_TTABLE);
         walls = {walls_at(state, 1, "x"), walls_at(state, 1, "y"), walls_at(state, 1, "z")};
     }
-    bound_interpreter(state).simulator().set_programmed_zone(walls);
+    bound_interpreter(state).simulator().program().zones().set_programmed(walls);
     return 0;
 }
 
 /// core.switch_zones(number, on): returns false if no zone of the machine data has that number.
 int switch_zones(lua_State* state) {
     const auto number = static_cast<int>(luaL_checkinteger(state, 1));
-    const bool known =
-        bound_interpreter(state).simulator().switch_zones(number, lua_toboolean(state, 2) != 0);
+    const bool known = bound_interpreter(state).simulator().program().zones().switch_zones(
+        number, lua_toboolean(state, 2) != 0);
     lua_pushboolean(state, static_cast<int>(known));
     return 1;
 }
 
 /// core.set_tool_offset(x, y, z): distance of the machine's position from the tool's end, mm.
 int set_tool_offset(lua_State* state) {
-    bound_interpreter(state).simulator().set_tool_offset(
+    bound_interpreter(state).simulator().program().tool().set(
         {luaL_optnumber(state, 1, 0), luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0)});
     return 0;
 }

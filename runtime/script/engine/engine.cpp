@@ -56,14 +56,14 @@ Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyo
       controllers_(make_controllers(std::move(robots), source_locator_)),
       lua_(options_.limits),
       processes_(lua_, source_locator_, pointers(controllers_), std::move(conveyors)) {
-    processes_.set_zones(options_.zones);
+    processes_.zones().set_zones(options_.zones);
     if (options_.multi_robot_monitor != nullptr)
         processes_.set_multi_robot_monitor(*options_.multi_robot_monitor);
     lua_.on_last_step([this](lua_State* state) { last_step_location_ = source_locator_.current(state, 0); });
     const int status = call_protected([](Engine& engine) { engine.open_controllers(); });
     if (!process_result(status, lua_.get(), *controllers_.front())) {
-        throw std::runtime_error("the library in Lua cannot be loaded: " +
-                                 controllers_.front()->simulator().alarm()->message);
+        throw std::runtime_error("the Lua library cannot be loaded: " +
+                                 controllers_.front()->simulator().outcome().alarm()->message);
     }
 }
 
@@ -75,11 +75,11 @@ int Engine::call_protected(void (*work)(Engine&)) {
     lua_pushlightuserdata(state, this);
     lua_pushcclosure(state, handle_error, 1);
     lua_pushlightuserdata(state, this);
-    lua_pushcclosure(state, trampoline<do_work>, 1);
+    lua_pushcclosure(state, trampoline<call_work_function>, 1);
     return lua_pcall(state, 0, 0, 1);
 }
 
-int Engine::do_work(lua_State* state) {
+int Engine::call_work_function(lua_State* state) {
     auto& engine = bound<Engine>(state);
     engine.work_(engine);
     return 0;
@@ -142,24 +142,26 @@ int Engine::next_script(lua_State* state) {
     return 1;
 }
 
-tl::expected<std::map<int, double>, std::string> Engine::permanent_variables() {
-    permanent_.clear();
-    return read_retained([](Engine& engine) { engine.read_permanent(); }).map([this] { return permanent_; });
+Result<std::map<int, double>> Engine::permanent_variables() {
+    permanent_variables_.clear();
+    return read_retained([](Engine& engine) { engine.read_permanent(); }).map([this] {
+        return permanent_variables_;
+    });
 }
 
-tl::expected<machine::MachineData, std::string> Engine::machine_data() {
-    stored_ = options_.data;
-    return read_retained([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_; });
+Result<machine::MachineData> Engine::machine_data() {
+    stored_data_ = options_.data;
+    return read_retained([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_data_; });
 }
 
 /// Restarts the steps and ends the time limit, because a run that has used them up has none left for this.
-tl::expected<void, std::string> Engine::read_retained(void (*read)(Engine&)) {
+Result<void> Engine::read_retained(void (*read)(Engine&)) {
     lua_.restart_steps();
     lua_.set_time_limit(nullptr);
     error_.clear();
     if (call_protected(read) == LUA_OK) return {};
-    return tl::unexpected(fmt::format("what the control keeps cannot be read: {}",
-                                      error_.empty() ? "the script has used up its memory" : error_));
+    return Unexpected(fmt::format("the stored data of the controller cannot be read: {}",
+                                  error_.empty() ? "the script has run out of memory" : error_));
 }
 
 void Engine::read_permanent() {
@@ -168,7 +170,7 @@ void Engine::read_permanent() {
     lua_call(state, 0, 1);
     lua_pushnil(state);
     while (lua_next(state, -2) != 0) {
-        permanent_[static_cast<int>(luaL_checkinteger(state, -2))] = luaL_checknumber(state, -1);
+        permanent_variables_[static_cast<int>(luaL_checkinteger(state, -2))] = luaL_checknumber(state, -1);
         lua_pop(state, 1);
     }
     lua_pop(state, 1);
@@ -177,21 +179,20 @@ void Engine::read_permanent() {
 void Engine::report(simulation::Report& report) const {
     if (!processes_.several() && controllers_.size() == 1) return;
     report.processes = processes_.summaries();
-    report.signals = processes_.signals().changes();
-    if (const std::uint64_t dropped = processes_.signals().dropped(); dropped > 0)
+    report.signals = processes_.signals().board().changes();
+    if (const std::uint64_t dropped = processes_.signals().board().dropped(); dropped > 0)
         report.warnings.push_back(
-            fmt::format("{} more changes of signals than the report lists were left out", dropped));
-    report.zone_uses = processes_.zones().uses();
-    if (const std::uint64_t dropped = processes_.zones().dropped(); dropped > 0)
-        report.warnings.push_back(
-            fmt::format("{} more uses of zones than the report lists were left out", dropped));
+            fmt::format("{} more signal changes are not listed in the report", dropped));
+    report.zone_uses = processes_.zones().shared_zones().uses();
+    if (const std::uint64_t dropped = processes_.zones().shared_zones().dropped(); dropped > 0)
+        report.warnings.push_back(fmt::format("{} more zone uses are not listed in the report", dropped));
 }
 
 void Engine::read_stored() {
     lua_State* state = lua_.get();
     controllers_.front()->push_library(state, "stored_data");
     lua_call(state, 0, 1);
-    read_data_tables(state, stored_);
+    read_data_tables(state, stored_data_);
     lua_pop(state, 1);
 }
 
@@ -201,8 +202,9 @@ void Engine::read_stored() {
 /// `level` levels up.
 void Engine::record_error(lua_State* state, int index, int level) {
     const char* text = lua_tostring(state, index);
-    error_ = text != nullptr ? text
-                             : fmt::format("an error that is no text but a {}", luaL_typename(state, index));
+    error_ = text != nullptr
+                 ? text
+                 : fmt::format("an error that is not a string but a {}", luaL_typename(state, index));
     error_location_ = source_locator_.strip(error_);
     if (error_location_.line == 0) error_location_ = source_locator_.current(state, level);
 }
@@ -222,24 +224,24 @@ bool Engine::process_outcome(int status) {
         process_result(outcome.status, outcome.error_thread, *outcome.controller);
     }
     if (outcome.end == Processes::RunEnd::deadlock)
-        outcome.controller->simulator().fail(DiagnosticKind::script, std::move(outcome.message),
-                                             outcome.location);
+        outcome.controller->simulator().outcome().fail(DiagnosticKind::script, std::move(outcome.message),
+                                                       outcome.location);
     return std::none_of(controllers_.begin(), controllers_.end(),
                         [](const std::unique_ptr<RobotController>& controller) {
-                            return controller->simulator().alarm().has_value();
+                            return controller->simulator().outcome().alarm().has_value();
                         });
 }
 
 /// Applies the end of a protected call to the run; the error is on top of the stack.
 bool Engine::process_result(int status, lua_State* state, RobotController& controller) {
     simulation::Simulator& simulator = controller.simulator();
-    if (status == LUA_OK) return !simulator.alarm();
+    if (status == LUA_OK) return !simulator.outcome().alarm();
     const SourceLocation location = controller.interpreter().location();
     if (status == LUA_ERRMEM || lua_.ended() == LuaState::StopReason::memory) {
-        return simulator.stop(DiagnosticKind::run_limit, lua_.memory_error(), location);
+        return simulator.outcome().stop(DiagnosticKind::run_limit, lua_.memory().error(), location);
     }
     if (lua_.ended() == LuaState::StopReason::steps) {
-        return simulator.stop(
+        return simulator.outcome().stop(
             DiagnosticKind::run_limit,
             fmt::format(
                 "{} steps of the script without a motion or a dwell (--max-steps): is this an endless loop?",
@@ -247,10 +249,11 @@ bool Engine::process_result(int status, lua_State* state, RobotController& contr
             last_step_location_.line > 0 ? last_step_location_ : location);
     }
     if (lua_.ended() == LuaState::StopReason::cpu)
-        return simulator.has_cpu_time(last_step_location_.line > 0 ? last_step_location_ : location);
-    if (LuaState::is_stop(state, -1)) return !simulator.alarm();
-    return simulator.fail(DiagnosticKind::script,
-                          error_.empty() ? "an error in the handling of an error" : error_, error_location_);
+        return simulator.outcome().has_cpu_time(last_step_location_.line > 0 ? last_step_location_
+                                                                             : location);
+    if (LuaState::is_stop(state, -1)) return !simulator.outcome().alarm();
+    return simulator.outcome().fail(
+        DiagnosticKind::script, error_.empty() ? "an error in the error handler" : error_, error_location_);
 }
 
 }  // namespace gsim::script

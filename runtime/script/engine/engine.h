@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "machine/data/machine_data.h"
 #include "runtime/script/engine/robot_controller.h"
 #include "runtime/script/lua/library.h"
@@ -55,10 +56,10 @@ class Engine {
     bool run(Script script);
     /// Returns the variables that a controller keeps from one run to the next, as they are now. The error is
     /// a message: a run that ended for its memory may leave too little to read them.
-    tl::expected<std::map<int, double>, std::string> permanent_variables();
+    Result<std::map<int, double>> permanent_variables();
     /// Returns the machine data as the controller has them now: work coordinate systems, tools and variables
     /// may differ from those of the start. The error is as above.
-    tl::expected<machine::MachineData, std::string> machine_data();
+    Result<machine::MachineData> machine_data();
     /// Adds results of processes, if more than the main one ran, or of several robots.
     void report(simulation::Report& report) const;
     /// Returns the time in which a robot, by its number from 0, waited for others.
@@ -82,7 +83,7 @@ class Engine {
     void run_processes();
     bool process_result(int status, lua_State* state, RobotController& controller);
     bool process_outcome(int status);
-    tl::expected<void, std::string> read_retained(void (*read)(Engine&));
+    Result<void> read_retained(void (*read)(Engine&));
     void read_permanent();
     void read_stored();
     LoadedScript& add_script(lua_State* state, Script script, RobotController& controller);
@@ -95,7 +96,7 @@ class Engine {
     void run_plain_lines(lua_State* state, LoadedScript& loaded_script, BodyExecution& execution,
                          const ScriptChunk& chunk);
 
-    static int do_work(lua_State* state);
+    static int call_work_function(lua_State* state);
     static int handle_error(lua_State* state);
     static int next_script(lua_State* state);
     static int register_functions(lua_State* state);
@@ -117,8 +118,8 @@ class Engine {
         programs_;                 ///< Files that were called.
     std::vector<Script> pending_;  ///< The last one is loaded first.
     std::optional<Processes::Outcome> outcome_;
-    std::map<int, double> permanent_;
-    machine::MachineData stored_;
+    std::map<int, double> permanent_variables_;
+    machine::MachineData stored_data_;
     std::string error_;
     simulation::SourceLocation error_location_;
     simulation::SourceLocation last_step_location_;  ///< Location at which a step limit was reached.

@@ -148,7 +148,9 @@ void Engine::run_plain_lines(lua_State* state, LoadedScript& loaded_script, Body
                              const ScriptChunk& chunk) {
     const ExternalMemoryGuard copy(state, chunk.end - execution.offset, kScriptText);
     const auto read = loaded_script.script.read(execution.offset, chunk.end);
-    if (!read) loaded_script.controller->interpreter().alarm(state, text::DiagnosticKind::file, read.error());
+    if (!read)
+        loaded_script.controller->interpreter().alarm(state, text::DiagnosticKind::file,
+                                                      read.error().message);
     const std::string& text = *read;
     PlainLine line;
     std::size_t begin = 0;

@@ -30,7 +30,7 @@ Engine::LoadedScript& Engine::add_script(lua_State* state, Script script, RobotC
     loaded_script.script = std::move(script);
     loaded_script.controller = &controller;
     for (const std::unique_ptr<RobotController>& each : controllers_)
-        loaded_script.file = each->simulator().add_file(loaded_script.script.file_name);
+        loaded_script.file = each->simulator().program().files().add(loaded_script.script.file_name);
     return loaded_script;
 }
 
@@ -78,7 +78,7 @@ void Engine::compile(lua_State* state, LoadedScript& loaded_script, const Script
     loaded_script.controller->push_environment(state);
     const ExternalMemoryGuard copy(state, chunk.end - chunk.begin, kScriptText);
     const auto lua = loaded_script.script.read(chunk.begin, chunk.end);
-    if (!lua) loaded_script.controller->interpreter().alarm(state, DiagnosticKind::file, lua.error());
+    if (!lua) loaded_script.controller->interpreter().alarm(state, DiagnosticKind::file, lua.error().message);
     load_text(state, *lua, SourceLocator::chunk_name(text).c_str());
 }
 
@@ -92,8 +92,9 @@ int Engine::load_program(lua_State* state) {
     LoadedScript*& kept = engine.programs_[{&controller, name}];
     if (kept == nullptr) {
         if (!controller.find_program()) return 0;
-        tl::expected<std::optional<Script>, std::string> script = controller.find_program()(name);
-        if (!script) controller.interpreter().alarm(state, DiagnosticKind::program_missing, script.error());
+        Result<std::optional<Script>> script = controller.find_program()(name);
+        if (!script)
+            controller.interpreter().alarm(state, DiagnosticKind::program_missing, script.error().message);
         if (!*script) return 0;
         kept = &engine.add_script(state, std::move(**script), controller);
     }
@@ -106,13 +107,13 @@ int Engine::load_module(lua_State* state) {
     Engine& engine = bound<Engine>(state);
     auto& controller = *static_cast<RobotController*>(lua_touserdata(state, lua_upvalueindex(2)));
     const std::string name = luaL_checkstring(state, 1);
-    tl::expected<std::optional<Script>, std::string> script;
+    Result<std::optional<Script>> script;
     if (controller.find_module()) script = controller.find_module()(name);
     if (script && *script) {
         engine.push_script(state, engine.add_script(state, std::move(**script), controller));
         return 1;
     }
-    const std::string reason = script ? "this run has no folder of modules" : script.error();
+    const std::string reason = script ? "this run has no module folder" : script.error().message;
     lua_pushnil(state);
     lua_pushlstring(state, reason.data(), reason.size());
     return 2;

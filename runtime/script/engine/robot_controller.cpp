@@ -53,7 +53,7 @@ void set_machine_process(lua_State* state, const machine::Process& process) {
 }
 
 /// Sets core.stops: words that stop the controller otherwise than by default, by word as it is printed.
-void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
+void set_stops(lua_State* state, const rrs::StandstillRules& rules) {
     constexpr std::array kRules{"always", "on-change", "never"};
     lua_createtable(state, 0, static_cast<int>(rules.stops.size()));
     for (const auto& [word, rule] : rules.stops) {
@@ -101,17 +101,17 @@ void set_word_times(lua_State* state, const machine::WordTimes& times) {
     lua_setfield(state, -2, "times");
 }
 
-void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
+void set_corner_override(lua_State* state, const rrs::CornerOverrideRules& rules) {
     lua_createtable(state, 0, 4);
-    set_number(state, "percent", rules.corner_override_percent);
-    set_number(state, "before_mm", rules.corner_override_before_mm);
-    set_number(state, "after_mm", rules.corner_override_after_mm);
-    set_number(state, "angle_deg", rules.corner_override_angle_deg);
+    set_number(state, "percent", rules.percent);
+    set_number(state, "before_mm", rules.before_mm);
+    set_number(state, "after_mm", rules.after_mm);
+    set_number(state, "angle_deg", rules.max_angle_deg);
     lua_setfield(state, -2, "corner_override");
 }
 
 /// Sets core.drilling: the deep drilling of the controller.
-void set_drilling(lua_State* state, const rrs::ControllerRules& rules) {
+void set_drilling(lua_State* state, const rrs::DrillingRules& rules) {
     lua_createtable(state, 0, 4);
     set_number(state, "clearance_mm", rules.peck_clearance_mm);
     set_number(state, "dwell", rules.peck_dwell_s);
@@ -125,21 +125,21 @@ void set_drilling(lua_State* state, const rrs::ControllerRules& rules) {
 /// Sets core.arc_resolution_mm, and core.retraction.length_mm, .speed_mm_s, .extra_mm and
 /// .unretract_speed_mm_s.
 void set_klipper_rules(lua_State* state, const rrs::ControllerRules& rules) {
-    set_number(state, "arc_resolution_mm", rules.arc_resolution_mm);
+    set_number(state, "arc_resolution_mm", rules.klipper.arc_resolution_mm);
     lua_createtable(state, 0, 4);
-    set_number(state, "length_mm", rules.retract_length_mm);
-    set_number(state, "speed_mm_s", rules.retract_speed_mm_s);
-    set_number(state, "extra_mm", rules.unretract_extra_length_mm);
-    set_number(state, "unretract_speed_mm_s", rules.unretract_speed_mm_s);
+    set_number(state, "length_mm", rules.retraction.length_mm);
+    set_number(state, "speed_mm_s", rules.retraction.speed_mm_s);
+    set_number(state, "extra_mm", rules.retraction.unretract_extra_length_mm);
+    set_number(state, "unretract_speed_mm_s", rules.retraction.unretract_speed_mm_s);
     lua_setfield(state, -2, "retraction");
 }
 
 int raise_unknown_name(lua_State* state) {
-    return luaL_error(state, "the library knows no '%s'", luaL_tolstring(state, 2, nullptr));
+    return luaL_error(state, "the library does not define '%s'", luaL_tolstring(state, 2, nullptr));
 }
 
 int raise_shared_name(lua_State* state) {
-    return luaL_error(state, "'%s' would be shared by all files of the library; return it, or make it local",
+    return luaL_error(state, "'%s' would be global for all files of the library; return it, or make it local",
                       luaL_tolstring(state, 2, nullptr));
 }
 
@@ -177,8 +177,8 @@ void load_file(lua_State* state, const Library& library, const std::string& file
     const std::string chunk = "=lua_lib/" + file_name;
     const auto compiled = library.compiled() == nullptr ? nullptr : library.compiled()->find(file_name);
     if (compiled != nullptr) return load_chunk(state, *compiled, chunk.c_str(), "b");
-    const tl::expected<std::string, std::string> text = library.read(file_name);
-    if (!text) throw std::runtime_error(text.error());
+    const Result<std::string> text = library.read(file_name);
+    if (!text) throw std::runtime_error(text.error().message);
     load_chunk(state, *text, chunk.c_str(), "t");
     if (library.compiled() != nullptr) library.compiled()->keep(file_name, compiled_function(state));
 }
@@ -225,7 +225,7 @@ void RobotController::open(lua_State* state, const Library& library_files, const
     add_core_functions(state, *this);
     set_function<push_loading_module>(state, "loading", this);
     set_options(state, switches);
-    robot_.simulator.set_zone_data(robot_.data);
+    robot_.simulator.program().zones().set_data(robot_.data);
     machine::MachineData tables = robot_.data;
     tables.homes = machine::secondary_homes(robot_.simulator.machine(), tables.homes);
     set_data_tables(state, tables);
@@ -273,16 +273,16 @@ void RobotController::set_options(lua_State* state, const ProgramOptions& switch
     lua_setfield(state, -2, "optional_stop");
     lua_pushinteger(state, static_cast<lua_Integer>(switches.passes));
     lua_setfield(state, -2, "passes");
-    const bool stops = robot_.simulator.machine().controller.planner == rrs::PlannerKind::rest_to_rest;
-    lua_pushboolean(state, static_cast<int>(stops));
+    const rrs::ControllerRules& controller = robot_.simulator.machine().controller;
+    lua_pushboolean(state, static_cast<int>(controller.capabilities().stops_at_each_move));
     lua_setfield(state, -2, "stops_at_each_move");
-    set_stops(state, robot_.simulator.machine().controller);
+    set_stops(state, controller.standstill);
     lua_pushstring(state, prefix().c_str());
     lua_setfield(state, -2, "signal_prefix");
-    set_corner_override(state, robot_.simulator.machine().controller);
-    set_drilling(state, robot_.simulator.machine().controller);
-    set_number(state, "spline_chord_mm", robot_.simulator.machine().controller.spline_chord_tolerance_mm);
-    set_klipper_rules(state, robot_.simulator.machine().controller);
+    set_corner_override(state, controller.corner_override);
+    set_drilling(state, controller.drilling);
+    set_number(state, "spline_chord_mm", controller.curves.spline_chord_tolerance_mm);
+    set_klipper_rules(state, controller);
     if (robot_.simulator.machine().process) set_machine_process(state, *robot_.simulator.machine().process);
     if (const machine::WordTimes& times = robot_.simulator.machine().times; times != machine::WordTimes{})
         set_word_times(state, times);
@@ -305,7 +305,7 @@ void RobotController::load_module(lua_State* state, const std::string& name) {
     if (begun != loading_.end()) {
         const std::string dependency_chain(text::joined(begun, loading_.end(), " needs "));
         throw std::runtime_error(
-            fmt::format("files of the library need each other: {} needs {}", dependency_chain, name));
+            fmt::format("circular dependency of library files: {} needs {}", dependency_chain, name));
     }
     loading_.push_back(name);
     lua_rawgeti(state, LUA_REGISTRYINDEX, library_);
@@ -328,7 +328,8 @@ int RobotController::use_module(lua_State* state) {
     for (int field = 2; field <= fields; ++field) {
         lua_pushvalue(state, field);
         if (lua_gettable(state, fields + 1) == LUA_TNIL)
-            luaL_error(state, "lua_lib/%s.lua gives no '%s'", name.c_str(), luaL_checkstring(state, field));
+            luaL_error(state, "lua_lib/%s.lua does not return '%s'", name.c_str(),
+                       luaL_checkstring(state, field));
     }
     return fields - 1;
 }

@@ -58,7 +58,7 @@ class RobotController {
     const rrs::CartPos& base() const { return robot_.base; }
     /// Returns the time in which the robot has waited for others.
     double idle_s() const { return idle_s_; }
-    void add_idle(double seconds) { idle_s_ += seconds; }
+    void add_idle_seconds(double seconds) { idle_s_ += seconds; }
 
     /// Pushes what its scripts see.
     void push_environment(lua_State* state) const;

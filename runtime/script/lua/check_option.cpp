@@ -22,7 +22,7 @@ int check_option(lua_State* state, int argument, const char* fallback, std::span
     }
     const auto nearest = text::nearest_name(given, known);
     const std::string hint = nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : "";
-    return luaL_argerror(state, argument, fmt::format("'{}' is none of {}{}", given, list, hint).c_str());
+    return luaL_argerror(state, argument, fmt::format("'{}' must be one of {}{}", given, list, hint).c_str());
 }
 
 }  // namespace gsim::script

@@ -37,21 +37,21 @@ Interpreter::Interpreter(simulation::Simulator& simulator, SourceLocator& locati
       axis_by_letter_(index_axes(simulator.machine())),
       frame_(simulator.machine().axes.size(), {axis('X'), axis('Y'), axis('Z')}) {
     word_factors_.setOnes(static_cast<Eigen::Index>(simulator.machine().axes.size()));
-    count_words();
+    update_word_factors();
 }
 
 void Interpreter::set_unit_mm(double unit_mm) {
     unit_mm_ = unit_mm;
-    count_words();
+    update_word_factors();
 }
 
 void Interpreter::set_word_factor(int axis, double factor) {
     word_factors_[axis] = factor;
-    count_words();
+    update_word_factors();
 }
 
 /// Computes this at each change, because each word of each move is read by it.
-void Interpreter::count_words() {
+void Interpreter::update_word_factors() {
     word_mm_ = word_factors_;
     for (std::size_t i = 0; i < simulator_.machine().axes.size(); ++i) {
         const bool linear = simulator_.machine().axes[i].kind == machine::AxisKind::linear;
@@ -71,7 +71,7 @@ void Interpreter::enter(lua_State* state, std::size_t word_id) {
         words_in_block_.reset();
         modal_.machine_frame_once = false;
         location_ = location;
-        if (!simulator_.count_block(location)) LuaState::raise_stop(state);
+        if (!simulator_.outcome().count_block(location)) LuaState::raise_stop(state);
     }
     words_in_block_[word_id] = true;
 }
@@ -94,7 +94,7 @@ void Interpreter::push_motion(lua_State* state) const {
 }
 
 void Interpreter::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {
-    simulator_.fail(kind, message, location_);
+    simulator_.outcome().fail(kind, message, location_);
     LuaState::raise_stop(state);
 }
 
@@ -102,7 +102,7 @@ void Interpreter::check(lua_State* state, bool done) {
     if (!done) LuaState::raise_stop(state);
     LuaState& lua = LuaState::of(state);
     lua.restart_steps();
-    if (const std::size_t bytes = simulator_.observed_bytes(); bytes > observed_bytes_) {
+    if (const std::size_t bytes = simulator_.notifier().observed_bytes(); bytes > observed_bytes_) {
         lua.add_external_bytes(state, bytes - observed_bytes_, "the path of the run (--record)");
         observed_bytes_ = bytes;
     }
@@ -113,14 +113,15 @@ Feed Interpreter::feed(lua_State* state, std::optional<double> sweep_rad) {
     modal_.feed_is_new = false;
     if (modal_.feed_mode == FeedMode::inverse_time) {
         if (!is_new)
-            alarm(state, DiagnosticKind::feed, "inverse time feed (G93) needs an F in each block that moves");
+            alarm(state, DiagnosticKind::feed,
+                  "inverse time feed (G93) needs an F in each block with a motion");
         Feed feed;
         feed.motion_s =
             (modal_.inverse_time_by_angle ? sweep_rad.value_or(1.0) : 1.0) * kSecondsPerMinute / modal_.feed;
         return feed;
     }
     if (modal_.feed <= 0)
-        alarm(state, DiagnosticKind::feed, "no feed is in force: program F before the first feed move");
+        alarm(state, DiagnosticKind::feed, "no feed is active: program F before the first feed move");
     double per_min = 1;
     if (modal_.feed_mode == FeedMode::per_revolution) {
         if (modal_.spindle_rpm <= 0)
@@ -146,7 +147,7 @@ bool Interpreter::set_axis(char letter, double value, AxisVector& target, std::u
     if (!std::isfinite(value)) {
         record_word_error_message(
             {&letter, 1}, DiagnosticKind::script,
-            fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
+            fmt::format("the value of {} is not a number", static_cast<char>(letter - 'a' + 'A')));
     }
     if ((seen_axes & (1U << static_cast<unsigned>(index))) != 0) {
         const char axis = simulator_.machine().axes[static_cast<std::size_t>(index)].letter;
@@ -181,7 +182,7 @@ void Interpreter::record_value_error(std::string_view key, const NonAxisWords* o
     if (key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z')
         return record_word_error(key, std::nullopt, others);
     record_word_error_message(key, DiagnosticKind::script,
-                              fmt::format("the value of '{}' is no number", key));
+                              fmt::format("the value of '{}' is not a number", key));
 }
 
 void Interpreter::record_word_error(std::string_view key, std::optional<double> value,
@@ -189,7 +190,7 @@ void Interpreter::record_word_error(std::string_view key, std::optional<double> 
     if (key.size() == 1 && kArcWords.find(key) != std::string_view::npos && others == nullptr) {
         return record_word_error_message(
             key, DiagnosticKind::word_out_of_place,
-            "I, J, K and R belong to an arc, and the motion in force is a straight one");
+            "I, J, K and R need an arc, but the active motion is a straight line");
     }
     if (key.size() == 1 && std::string_view("abcuvwxyz").find(key) != std::string_view::npos) {
         return record_word_error_message(
@@ -207,7 +208,7 @@ void Interpreter::record_word_error(std::string_view key, std::optional<double> 
     }
     record_word_error_message(
         key, DiagnosticKind::word_out_of_place,
-        fmt::format("'{}' is no word that this motion takes{}", key, word_advice(key, value, used_letters)));
+        fmt::format("'{}' is not a word of this motion{}", key, word_advice(key, value, used_letters)));
 }
 
 /// `target` is in program coordinates here if a matrix is active, else in machine coordinates. Returns false
@@ -217,7 +218,7 @@ bool Interpreter::read_words(lua_State* state, int index, NonAxisWords* others, 
     word_error_.reset();
     for (lua_pushnil(state); lua_next(state, index) != 0; lua_pop(state, 1)) {
         if (lua_type(state, -2) != LUA_TSTRING)
-            alarm(state, DiagnosticKind::script, "the words of a motion are named: x=1, y=2");
+            alarm(state, DiagnosticKind::script, "the words of a motion must be named: x=1, y=2");
         std::size_t size = 0;
         const char* text = lua_tolstring(state, -2, &size);
         const std::string_view key(text, size);
@@ -262,7 +263,7 @@ void Interpreter::line(lua_State* state, bool rapid, int index) {
     move.kind = rapid ? simulation::MoveKind::rapid : simulation::MoveKind::linear;
     if (!rapid) move.feed = feed(state, std::nullopt);
     move.location = location_;
-    check(state, simulator_.move(move));
+    check(state, simulator_.moves().enqueue(move));
 }
 
 }  // namespace gsim::script

@@ -72,7 +72,7 @@ class Interpreter {
     /// Returns the point that the program has reached, in machine coordinates. It is the position of the
     /// machine, unless the library has set another one (set_programmed).
     const simulation::AxisVector& programmed() const {
-        return programmed_ ? *programmed_ : simulator_.position();
+        return programmed_ ? *programmed_ : simulator_.position().axes();
     }
     void set_programmed(const std::optional<simulation::AxisVector>& point) { programmed_ = point; }
     const simulation::SourceLocation& location() const { return location_; }
@@ -138,7 +138,7 @@ class Interpreter {
         std::string message;
     };
 
-    void count_words();
+    void update_word_factors();
     bool set_axis(char letter, double value, simulation::AxisVector& target, std::uint32_t& seen_axes);
     bool read_words(lua_State* state, int index, NonAxisWords* others, simulation::AxisVector& target,
                     std::uint32_t& seen_axes);

@@ -68,7 +68,7 @@ Key key_at(lua_State* state, int index) {
         }
         case LUA_TBOOLEAN: key.rank = lua_toboolean(state, index) != 0 ? Rank::yes : Rank::no; break;
         case LUA_TTABLE:
-            key.serial = LuaState::of(state).table_serial(lua_topointer(state, index));
+            key.serial = LuaState::of(state).table_serials().of(lua_topointer(state, index));
             key.rank = key.serial > 0 ? Rank::table : Rank::other;
             break;
         default: break;
@@ -80,8 +80,8 @@ Key key_at(lua_State* state, int index) {
 void count_unordered(lua_State* state, const Key& key, int& others) {
     if (key.rank != Rank::other || ++others < 2) return;
     luaL_error(state,
-               "pairs and next cannot go through a table with several functions or userdata as keys: their "
-               "order would differ from run to run; keep them in a list");
+               "pairs and next cannot iterate over a table with several functions or userdata as keys: their "
+               "order would differ between runs; store them in a list");
 }
 
 struct KeySummary {

@@ -4,11 +4,11 @@
 
 namespace gsim::script {
 
-tl::expected<std::string, std::string> Library::read(std::string_view file_name) const {
+Result<std::string> Library::read(std::string_view file_name) const {
     if (!folder_) {
         const std::string_view text = embedded::embedded_lua(file_name);
         if (text.data() == nullptr)
-            return tl::unexpected("the library has no file " + std::string(file_name));
+            return Unexpected("the library does not contain the file " + std::string(file_name));
         return std::string(text);
     }
     return folder_files_->read_text(*folder_ / file_name);

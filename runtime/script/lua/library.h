@@ -7,8 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/files.h"
 #include "runtime/script/lua/compiled_library_cache.h"
 
@@ -26,7 +25,7 @@ class Library {
         : folder_(std::move(folder)), folder_files_(&files) {}
 
     /// Returns the text of one file, such as "init.lua"; the error is a message for the user.
-    tl::expected<std::string, std::string> read(std::string_view file_name) const;
+    Result<std::string> read(std::string_view file_name) const;
 
     /// Returns null if each file is compiled when it is needed.
     CompiledLibraryCache* compiled() const { return compiled_.get(); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <new>
 #include <string>
 
@@ -22,16 +21,9 @@ char stop_sentinel = 0;
 constexpr const char* kScriptMemoryLabel = "the script";
 constexpr const char* kSingleString = "a string of the script";
 
-std::string megabytes(std::size_t bytes) {
-    constexpr double kMegabyte = 1U << 20U;
-    constexpr std::size_t kSmall = std::size_t{100} << 10U;
-    return bytes < kSmall ? fmt::format("{} bytes", bytes)
-                          : fmt::format("{:.1f} MB", static_cast<double>(bytes) / kMegabyte);
-}
-
 }  // namespace
 
-LuaState::LuaState(Limits limits) : limits_(limits) {
+LuaState::LuaState(Limits limits) : limits_(limits), memory_(limits.memory_bytes) {
     state_ = lua_newstate(allocate, this);
     if (state_ == nullptr) throw std::bad_alloc();
     *static_cast<LuaState**>(lua_getextraspace(state_)) = this;
@@ -47,123 +39,33 @@ LuaState& LuaState::of(lua_State* state) {
     return **static_cast<LuaState**>(lua_getextraspace(state));
 }
 
-/// Resizes a block like realloc(), with sizes above 0.
-void* LuaState::resize(void* block, std::size_t block_size, std::size_t new_size) {
-    if (block_size > SmallBlockAllocator::kMaxBlockSize && new_size > SmallBlockAllocator::kMaxBlockSize)
-        return std::realloc(block, new_size);
-    if (SmallBlockAllocator::is_same_size_class(block_size, new_size)) return block;
-    const bool is_small_block = new_size <= SmallBlockAllocator::kMaxBlockSize;
-    void* const grown =
-        is_small_block ? small_block_allocator_.allocate_block(new_size) : std::malloc(new_size);
-    if (grown == nullptr || block == nullptr) return grown;
-    std::memcpy(grown, block, std::min(block_size, new_size));
-    release(block, block_size);
-    return grown;
-}
-
-void LuaState::release(void* block, std::size_t block_size) {
-    if (block == nullptr) return;
-    if (block_size <= SmallBlockAllocator::kMaxBlockSize) {
-        small_block_allocator_.deallocate_block(block, block_size);
-    } else {
-        std::free(block);
-    }
-}
-
 void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
     auto& state = *static_cast<LuaState*>(self);
     const std::size_t block_size = block == nullptr ? 0 : old_size;
     if (new_size == 0) {
-        state.release(block, block_size);
-        state.bytes_ -= block_size;
+        state.memory_.release(block, block_size);
         return nullptr;
     }
+    // Lua reports the type of an object that it allocates.
     const bool is_string = block == nullptr && old_size == LUA_TSTRING;
-    const auto reject = [&](bool by_system) {
-        return state.reject(
-            {is_string ? kSingleString : kScriptMemoryLabel, new_size - block_size, state.bytes_, by_system});
-    };
-    if (new_size > block_size && state.bytes_ + (new_size - block_size) > state.limits_.memory_bytes)
-        return reject(false);
+    const char* const what = is_string ? kSingleString : kScriptMemoryLabel;
+    if (!state.memory_.permits(block_size, new_size, what)) return nullptr;
     state.count_work(new_size);
-    void* grown = state.resize(block, block_size, new_size);
-    if (grown == nullptr) return reject(true);
-    state.refused_ = false;
-    if (block == nullptr && old_size == LUA_TTABLE) state.assign_table_serial(grown, new_size);
+    void* const resized = state.memory_.resize(block, block_size, new_size, what);
+    if (resized == nullptr) return nullptr;
+    if (block == nullptr && old_size == LUA_TTABLE) state.table_serials_.assign(resized, new_size);
     if (is_string && new_size > kBytesOfOneStep) state.register_large_value(new_size);
-    state.bytes_ += new_size - block_size;
-    return grown;
-}
-
-/// Lua reports the type of the object that it allocates. The number is stored after the object, if a small
-/// block has the space.
-void LuaState::assign_table_serial(void* table, std::size_t size) {
-    if (SmallBlockAllocator::spare_bytes(size) < sizeof tables_) return;
-    ++tables_;
-    table_bytes_ = size;
-    std::memcpy(static_cast<std::byte*>(table) + size, &tables_, sizeof tables_);
-}
-
-std::uint64_t LuaState::table_serial(const void* table) const {
-    std::uint64_t serial = 0;
-    if (table_bytes_ > 0)
-        std::memcpy(&serial, static_cast<const std::byte*>(table) + table_bytes_, sizeof serial);
-    return serial;
-}
-
-std::nullptr_t LuaState::reject(const MemoryError& memory_request_error) {
-    refused_ = true;
-    memory_error_ = memory_request_error;
-    if (const char* max = largest_holder();
-        max != nullptr && memory_request_error.requested_bytes < bytes_ / 2)
-        memory_error_.what = max;
-    return nullptr;
+    return resized;
 }
 
 void LuaState::add_external_bytes(lua_State* state, std::size_t bytes, const char* what) {
-    const auto exceeds_limit = [&] {
-        return bytes > limits_.memory_bytes || bytes_ > limits_.memory_bytes - bytes;
-    };
-    if (exceeds_limit()) lua_gc(state, LUA_GCCOLLECT);
-    if (exceeds_limit()) {
-        reject({what, bytes, bytes_, false});
+    if (!memory_.has_space_for(bytes)) lua_gc(state, LUA_GCCOLLECT);
+    if (!memory_.has_space_for(bytes)) {
+        memory_.reject_external(bytes, what);
         stop_reason_ = StopReason::memory;
         raise_stop(state);
     }
-    external_bytes(what) += bytes;
-    bytes_ += bytes;
-}
-
-void LuaState::release_memory(std::size_t bytes, const char* what) {
-    external_bytes(what) -= bytes;
-    bytes_ -= bytes;
-}
-
-std::size_t& LuaState::external_bytes(const char* what) {
-    const auto found = std::find_if(
-        allocations_.begin(), allocations_.end(),
-        [what](const ExternalMemory& block_size) { return std::string_view(block_size.what) == what; });
-    return found != allocations_.end() ? found->bytes
-                                       : allocations_.emplace_back(ExternalMemory{what, 0}).bytes;
-}
-
-/// Returns what holds more than half of the memory outside of Lua, or null. That is reported as the consumer
-/// that needs too much, even if another one requests the last part.
-const char* LuaState::largest_holder() const {
-    for (const ExternalMemory& block_size : allocations_) {
-        if (block_size.bytes > bytes_ / 2) return block_size.what;
-    }
-    return nullptr;
-}
-
-std::string LuaState::memory_error() const {
-    const std::string amounts =
-        fmt::format("{} are in use, and it asks for {}", megabytes(memory_error_.retained_bytes),
-                    megabytes(memory_error_.requested_bytes));
-    if (memory_error_.by_system)
-        return fmt::format("{} needs more memory than the system gives: {}", memory_error_.what, amounts);
-    return fmt::format("{} needs more memory than the run may use, {} MB (--memory): {}", memory_error_.what,
-                       limits_.memory_bytes >> 20U, amounts);
+    memory_.add_external(bytes, what);
 }
 
 void LuaState::count_work(std::uint64_t bytes) {
@@ -219,17 +121,17 @@ void LuaState::count_steps(lua_State* state) {
 }
 
 void LuaState::check_limits(lua_State* state) {
-    unchecked_ = 0;
+    unchecked_steps_ = 0;
     if (steps_ > limits_.steps) stop_for(StopReason::steps, state);
-    if (cpu_ != nullptr && cpu_->reached()) stop_for(StopReason::cpu, state);
+    if (cpu_limit_ != nullptr && cpu_limit_->reached()) stop_for(StopReason::cpu, state);
 }
 
 std::string LuaState::printed(std::string line) {
-    if (printed_bytes_ > kMostPrinted_bytes) return {};
+    if (printed_bytes_ > kMaxPrinted_bytes) return {};
     printed_bytes_ += line.size();
-    if (printed_bytes_ <= kMostPrinted_bytes) return line;
-    return fmt::format("the script has printed {} MB; what it prints from here on is left out\n",
-                       kMostPrinted_bytes >> 20U);
+    if (printed_bytes_ <= kMaxPrinted_bytes) return line;
+    return fmt::format("the script has printed {} MB; further output is suppressed\n",
+                       kMaxPrinted_bytes >> 20U);
 }
 
 void LuaState::stop_for(StopReason reason, lua_State* state) {
@@ -251,7 +153,7 @@ bool LuaState::is_stop(lua_State* state, int index) {
 void LuaState::stop_if_out_of_memory(lua_State* state, int status) {
     LuaState& self = of(state);
     // Lua's string functions raise a lack of memory as an ordinary error.
-    if (status == LUA_ERRMEM || self.refused_) self.stop_reason_ = StopReason::memory;
+    if (status == LUA_ERRMEM || self.memory_.is_rejected()) self.stop_reason_ = StopReason::memory;
     if (self.stop_reason_ == StopReason::memory || is_stop(state, -1)) raise_stop(state);
 }
 

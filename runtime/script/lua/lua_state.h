@@ -5,12 +5,12 @@
 #include <exception>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include <lua.hpp>
 
 #include "base/os/cpu_limit.h"
-#include "runtime/script/lua/small_block_allocator.h"
+#include "runtime/script/lua/script_memory.h"
+#include "runtime/script/lua/table_serials.h"
 
 namespace gsim::script {
 
@@ -29,7 +29,7 @@ class LuaState {
     static constexpr std::uint64_t kBytesOfValue = 4;
 
     /// Maximum bytes that scripts may print: the remainder is left out, with one message.
-    static constexpr std::size_t kMostPrinted_bytes = std::size_t{4} << 20U;
+    static constexpr std::size_t kMaxPrinted_bytes = std::size_t{4} << 20U;
 
     explicit LuaState(Limits limits);
     ~LuaState();
@@ -37,9 +37,9 @@ class LuaState {
     LuaState& operator=(const LuaState&) = delete;
 
     lua_State* get() const { return state_; }
-    StopReason ended() const { return refused_ ? StopReason::memory : stop_reason_; }
+    StopReason ended() const { return memory_.is_rejected() ? StopReason::memory : stop_reason_; }
     /// Limits the processor time from here on; null: no limit. `cpu` must outlive the state.
-    void set_time_limit(os::CpuLimit* cpu) { cpu_ = cpu; }
+    void set_time_limit(os::CpuLimit* cpu) { cpu_limit_ = cpu; }
     /// Restarts the count of steps, because the machine has moved on.
     void restart_steps() { steps_ = 0; }
     /// Counts work inside one instruction, by the bytes that it touches. Long strings and tables take time in
@@ -50,8 +50,8 @@ class LuaState {
     /// Counts instructions that run without Lua counting them; ends the run if that is too much.
     void count_instructions(lua_State* state, std::uint64_t count) {
         steps_ += count * weight_;
-        unchecked_ += count;
-        if (unchecked_ >= kStepsBetweenCounts || steps_ > limits_.steps) check_limits(state);
+        unchecked_steps_ += count;
+        if (unchecked_steps_ >= kStepsBetweenCounts || steps_ > limits_.steps) check_limits(state);
     }
     /// Notes a string or a list of values of so many bytes, which any instruction may read. From here on each
     /// instruction counts as that much work.
@@ -59,14 +59,9 @@ class LuaState {
     /// Counts memory outside of Lua that is kept for the script as its own from here on. Ends the run if that
     /// is too much. `what` is stored and names the consumer: "the text of the script".
     void add_external_bytes(lua_State* state, std::size_t bytes, const char* what);
-    /// Releases memory that is no longer kept; `what` as in hold().
-    void release_memory(std::size_t bytes, const char* what);
-    /// Returns the message about what needs more memory than available, if that ended the run: the largest
-    /// holder, or the consumer that requested it.
-    std::string memory_error() const;
-    /// Returns the ordinal number of a table of this state; 0 if it is not known. Lua orders tables as keys
-    /// by their addresses, which differ from run to run.
-    std::uint64_t table_serial(const void* table) const;
+    ScriptMemory& memory() { return memory_; }
+    const ScriptMemory& memory() const { return memory_; }
+    const TableSerials& table_serials() const { return table_serials_; }
     const Limits& limits() const { return limits_; }
     /// Sets a function that is called before the run ends for its steps or its processor time, while the
     /// script's stack still exists.
@@ -93,48 +88,23 @@ class LuaState {
   private:
     static constexpr int kStepsBetweenCounts = 10'000;
 
-    /// Request for memory that was not fulfilled.
-    struct MemoryError {
-        const char* what = "the script";
-        std::size_t requested_bytes = 0;
-        std::size_t retained_bytes = 0;
-        bool by_system = false;
-    };
-
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
-    void* resize(void* block, std::size_t block_size, std::size_t new_size);
-    void release(void* block, std::size_t block_size);
-    /// Memory outside of Lua, by its purpose.
-    struct ExternalMemory {
-        const char* what;
-        std::size_t bytes;
-    };
-
-    std::nullptr_t reject(const MemoryError& memory_request_error);
-    std::size_t& external_bytes(const char* what);
-    const char* largest_holder() const;
     static void on_hook(lua_State* state, lua_Debug* event);
     void count_steps(lua_State* state);
     void check_limits(lua_State* state);
     [[noreturn]] void stop_for(StopReason reason, lua_State* state);
-    void assign_table_serial(void* table, std::size_t size);
     int steps_between_counts() const;
     static void set_hook(lua_State* thread, int steps);
 
     Limits limits_;
-    os::CpuLimit* cpu_ = nullptr;
-    SmallBlockAllocator small_block_allocator_;
+    os::CpuLimit* cpu_limit_ = nullptr;
+    ScriptMemory memory_;
+    TableSerials table_serials_;
     std::size_t printed_bytes_ = 0;
-    std::size_t bytes_ = 0;
-    std::vector<ExternalMemory> allocations_;  ///< A part of bytes_.
     std::uint64_t steps_ = 0;
-    std::uint64_t unchecked_ = 0;  ///< Instructions since the limits were last looked at.
-    std::uint64_t weight_ = 1;     ///< Weight of an instruction.
-    std::uint64_t tables_ = 0;     ///< That were made.
-    std::size_t table_bytes_ = 0;
+    std::uint64_t unchecked_steps_ = 0;  ///< Instructions since the limits were last looked at.
+    std::uint64_t weight_ = 1;           ///< Weight of an instruction.
     StopReason stop_reason_ = StopReason::no;
-    bool refused_ = false;  ///< The last request for more memory was.
-    MemoryError memory_error_;
     std::function<void(lua_State*)> on_last_step_;
     std::function<void(lua_State*, lua_Debug*)> on_line_;
     lua_State* state_ = nullptr;
@@ -148,7 +118,7 @@ class ExternalMemoryGuard {
         : lua_(LuaState::of(state)), bytes_(bytes), what_(what) {
         lua_.add_external_bytes(state, bytes, what);
     }
-    ~ExternalMemoryGuard() { lua_.release_memory(bytes_, what_); }
+    ~ExternalMemoryGuard() { lua_.memory().release_external(bytes_, what_); }
     ExternalMemoryGuard(const ExternalMemoryGuard&) = delete;
     ExternalMemoryGuard& operator=(const ExternalMemoryGuard&) = delete;
 

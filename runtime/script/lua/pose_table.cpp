@@ -9,11 +9,12 @@ rrs::CartPos check_pose(lua_State* state, int index) {
     rrs::CartPos pose = rrs::CartPos::Identity();
     for (int row = 0; row < 4; ++row) {
         lua_rawgeti(state, index, row + 1);
-        luaL_argcheck(state, lua_istable(state, -1), index, "a pose is a table of four rows of four numbers");
+        luaL_argcheck(state, lua_istable(state, -1), index,
+                      "a pose must be a table of four rows of four numbers");
         for (int column = 0; column < 4; ++column) {
             lua_rawgeti(state, -1, column + 1);
             luaL_argcheck(state, lua_isnumber(state, -1) != 0, index,
-                          "a pose is a table of four rows of four numbers");
+                          "a pose must be a table of four rows of four numbers");
             pose.matrix()(row, column) = lua_tonumber(state, -1);
             lua_pop(state, 1);
         }
@@ -37,7 +38,7 @@ void push_pose(lua_State* state, const rrs::CartPos& pose) {
 rrs::JointPos check_joints(lua_State* state, int index, std::size_t count) {
     luaL_checktype(state, index, LUA_TTABLE);
     luaL_argcheck(state, lua_rawlen(state, index) == count, index,
-                  "a joint position has one number for each joint of the machine");
+                  "a joint position must have one number for each joint of the machine");
     rrs::JointPos joints(static_cast<Eigen::Index>(count));
     for (std::size_t i = 0; i < count; ++i) {
         lua_rawgeti(state, index, static_cast<lua_Integer>(i) + 1);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::script {
 
@@ -45,7 +45,7 @@ struct Script {
         0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.
     std::uint64_t size = 0;
     std::size_t retained_bytes = 0;  ///< Bytes of memory, as long as it is kept.
-    std::function<tl::expected<std::string, std::string>(std::uint64_t begin, std::uint64_t end)> read;
+    std::function<Result<std::string>(std::uint64_t begin, std::uint64_t end)> read;
     std::vector<ScriptFunction> functions;
 
     static Script from_text(std::string text, std::string file_name, std::int64_t line_offset);
@@ -53,6 +53,6 @@ struct Script {
 
 /// Finds a program that is called, by number ("12") or name, and is not in the script. Returns the Lua of its
 /// file, no value if such a file does not exist, or an error message.
-using FindProgram = std::function<tl::expected<std::optional<Script>, std::string>(const std::string& name)>;
+using FindProgram = std::function<Result<std::optional<Script>>(const std::string& name)>;
 
 }  // namespace gsim::script

@@ -117,7 +117,7 @@ int repeatable_format(lua_State* state) {
         if (form[at] == '%') continue;
         ++argument;
         if (form[at] == 'p')
-            return luaL_argerror(state, 1, "%p writes an address, which differs from run to run");
+            return luaL_argerror(state, 1, "%p writes an address, which differs between runs");
         if (form[at] != 's' || argument > count || lua_type(state, argument) == LUA_TSTRING) continue;
         push_text(state, argument);
         lua_replace(state, argument);

@@ -69,7 +69,7 @@ int run_contour_task(lua_State* state) {
     lua_call(state, 0, 1);
     if (!lua_isfunction(state, -1)) {
         return luaL_error(state,
-                          "%s:1: the script must return a function of a contour, such as "
+                          "%s:1: the script must return a function with a contour as its argument, such as "
                           "function(contour) return contour.is_hole end",
                           task.file_name.c_str());
     }
@@ -79,7 +79,8 @@ int run_contour_task(lua_State* state) {
         push_contour(state, description);
         lua_call(state, 1, 1);
         if (!lua_isboolean(state, -1) && !lua_isnil(state, -1)) {
-            return luaL_error(state, "%s:1: the function must return true or false; for %s it returns a %s",
+            return luaL_error(state,
+                              "%s:1: the function must return true or false, but for %s it returns a %s",
                               task.file_name.c_str(), description.face.c_str(), luaL_typename(state, -1));
         }
         task.selected.push_back(lua_toboolean(state, -1) != 0);
@@ -89,8 +90,8 @@ int run_contour_task(lua_State* state) {
 }
 
 std::string stop_error(const LuaState& lua, const ContourTask& task) {
-    std::string reason = "the script takes more steps than it may";
-    if (lua.ended() == LuaState::StopReason::memory) reason = lua.memory_error();
+    std::string reason = "the script exceeds the allowed number of steps";
+    if (lua.ended() == LuaState::StopReason::memory) reason = lua.memory().error();
     if (lua.ended() == LuaState::StopReason::cpu)
         reason = fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
                              task.cpu->seconds());
@@ -99,11 +100,9 @@ std::string stop_error(const LuaState& lua, const ContourTask& task) {
 
 }  // namespace
 
-tl::expected<std::vector<bool>, std::string> choose_contours(std::string_view lua_text,
-                                                             const std::string& file_name,
-                                                             std::span<const ContourDescription> contours,
-                                                             const LuaState::Limits& limits,
-                                                             os::CpuLimit* cpu) {
+Result<std::vector<bool>> choose_contours(std::string_view lua_text, const std::string& file_name,
+                                          std::span<const ContourDescription> contours,
+                                          const LuaState::Limits& limits, os::CpuLimit* cpu) {
     LuaState lua(limits);
     lua_State* state = lua.get();
     ContourTask task{lua_text, file_name, contours, cpu};

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "runtime/script/lua/lua_state.h"
 
 namespace gsim::script {
@@ -32,10 +31,8 @@ struct ContourDescription {
 /// Runs a script that returns a function, and calls it with a table of each contour. The result of a contour
 /// is true if the function returns true, and false for false or nil. It runs in the sandbox, until `cpu`, if
 /// given, is used up. The error is "file:line: message".
-tl::expected<std::vector<bool>, std::string> choose_contours(std::string_view lua,
-                                                             const std::string& file_name,
-                                                             std::span<const ContourDescription> contours,
-                                                             const LuaState::Limits& limits = {},
-                                                             os::CpuLimit* cpu = nullptr);
+Result<std::vector<bool>> choose_contours(std::string_view lua, const std::string& file_name,
+                                          std::span<const ContourDescription> contours,
+                                          const LuaState::Limits& limits = {}, os::CpuLimit* cpu = nullptr);
 
 }  // namespace gsim::script

@@ -121,8 +121,8 @@ int make_point(lua_State* state) {
         }
         lua_pop(state, 1);
     }
-    tl::expected<path::Target, std::string> target = draft.finish();
-    if (!target) raise(state, target.error());
+    Result<path::Target> target = draft.finish();
+    if (!target) raise(state, target.error().message);
     LuaState::of(state).add_external_bytes(state, memory_size(*target), kPathMemoryLabel);
     builder.points.push_back({*std::move(target), calling_location(state)});
     push(state, {Handle::Kind::point, builder.points.size() - 1, 1});
@@ -137,10 +137,10 @@ std::optional<std::size_t> read_frame(lua_State* state) {
         const std::string_view name =
             lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view("[..]");
         if (std::find(kFrameKeys.begin(), kFrameKeys.end(), name) == kFrameKeys.end())
-            raise(state, path::unknown_key(name, "a use of a path", kFrameKeys));
+            raise(state, path::unknown_key(name, "a sub-path", kFrameKeys));
     }
     auto frame = read_set_up(state, 3, kFrameKeys.size()).finish_frame();
-    if (!frame) raise(state, frame.error());
+    if (!frame) raise(state, frame.error().message);
     auto& frames = bound<Builder>(state).frames;
     LuaState::of(state).add_external_bytes(state, 2 * memory_size(*frame), kPathMemoryLabel);
     frames.push_back(*std::move(frame));
@@ -151,11 +151,11 @@ std::optional<std::size_t> read_frame(lua_State* state) {
 int make_repeated(lua_State* state) {
     const Handle* handle = handle_at(state, 2);
     if (handle == nullptr || handle->kind != Handle::Kind::path) {
-        raise(state, "repeated(n, p) takes a number and what path{..} made");
+        raise(state, "repeated(n, p) needs a number and a result of path{..}");
     }
     constexpr lua_Integer kMax = 1'000'000'000;
     const lua_Integer count = luaL_checkinteger(state, 1);
-    if (count < 1 || count > kMax) raise(state, "repeated(n, p): n is a whole number from 1 to 1000000000");
+    if (count < 1 || count > kMax) raise(state, "repeated(n, p): n must be an integer from 1 to 1000000000");
     const std::size_t path = handle->index;
     push(state, {Handle::Kind::repeated, path, static_cast<int>(count), read_frame(state)});
     return 1;
@@ -170,7 +170,7 @@ void check_path_keys(lua_State* state) {
                               std::find(kSetUpKeys.begin(), kSetUpKeys.end(), name) != kSetUpKeys.end();
         if (!is_known)
             raise(state,
-                  fmt::format("path{{..}} takes 'name', '{}' and, in their order, points and sub-paths",
+                  fmt::format("path{{..}} needs 'name', '{}' and, in their order, points and sub-paths",
                               text::joined(kSetUpKeys, "', '")));
     }
 }
@@ -217,8 +217,8 @@ int make_path(lua_State* state) {
 }
 
 std::string stop_error(const LuaState& lua, const Builder& builder, os::CpuLimit* cpu) {
-    std::string reason = "the script takes more steps than it may";
-    if (lua.ended() == LuaState::StopReason::memory) reason = lua.memory_error();
+    std::string reason = "the script exceeds the allowed number of steps";
+    if (lua.ended() == LuaState::StopReason::memory) reason = lua.memory().error();
     if (lua.ended() == LuaState::StopReason::cpu)
         reason = fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
                              cpu->seconds());
@@ -249,8 +249,7 @@ int run_path_task(lua_State* state) {
 
 // Leaves the result of the script on the stack. Everything that needs memory runs inside lua_pcall(), because
 // an error before it would end the program.
-tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder,
-                                    os::CpuLimit* cpu) {
+Result<void> run(LuaState& lua, std::string_view text, Builder& builder, os::CpuLimit* cpu) {
     lua_State* state = lua.get();
     lua.on_last_step([&builder](lua_State* at) { builder.last_line = calling_location(at, 0).line; });
     PathTask task{text, builder, cpu};
@@ -267,16 +266,16 @@ tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builde
 
 }  // namespace
 
-tl::expected<PathFile, std::string> run_path_script(std::string_view text, std::string file_name,
-                                                    const LuaState::Limits& limits, os::CpuLimit* cpu) {
+Result<PathFile> run_path_script(std::string_view text, std::string file_name, const LuaState::Limits& limits,
+                                 os::CpuLimit* cpu) {
     LuaState lua(limits);
     Builder builder;
     builder.file.file_name = std::move(file_name);
     if (auto done = run(lua, text, builder, cpu); !done) return tl::unexpected(done.error());
     const Handle* root = handle_at(lua.get(), -1);
     if (root == nullptr || root->kind != Handle::Kind::path) {
-        return tl::unexpected(fmt::format("{}:1: the script must return the root path, what path{{..}} made",
-                                          builder.file.file_name));
+        return Unexpected(fmt::format("{}:1: the script must return the root path, a result of path{{..}}",
+                                      builder.file.file_name));
     }
     builder.file.program.root = root->index;
     builder.file.program.name = builder.file.program.paths[root->index].name;

@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "runtime/script/lua/lua_state.h"
 #include "toolpath/model/source_location.h"
 
@@ -14,8 +13,7 @@ namespace gsim::script {
 /// with the keys of path files, and the script returns the root path. It runs in the sandbox, without a
 /// machine, until `cpu`, if given, is used up. The error is "file:line: message"; errors of validate() are
 /// included.
-tl::expected<path::PathFile, std::string> run_path_script(std::string_view lua, std::string file_name,
-                                                          const LuaState::Limits& limits = {},
-                                                          os::CpuLimit* cpu = nullptr);
+Result<path::PathFile> run_path_script(std::string_view lua, std::string file_name,
+                                       const LuaState::Limits& limits = {}, os::CpuLimit* cpu = nullptr);
 
 }  // namespace gsim::script

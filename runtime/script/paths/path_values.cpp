@@ -26,8 +26,8 @@ void raise(lua_State* state, const std::string& message) {
     std::abort();  // lua_error does not return
 }
 
-void check(lua_State* state, const tl::expected<void, std::string>& done) {
-    if (!done) raise(state, done.error());
+void check(lua_State* state, const Result<void>& done) {
+    if (!done) raise(state, done.error().message);
 }
 
 std::string_view text_at(lua_State* state, int index) {
@@ -112,7 +112,7 @@ path::Touch read_touch(lua_State* state, int table) {
         lua_pop(state, 1);
     }
     auto touch = draft.finish();
-    if (!touch) raise(state, touch.error());
+    if (!touch) raise(state, touch.error().message);
     return *touch;
 }
 

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include <lua.hpp>
-#include <tl/expected.hpp>
 
+#include "base/error.h"
 #include "toolpath/json/path_draft.h"
 #include "toolpath/json/target_draft.h"
 
@@ -17,7 +17,7 @@ namespace gsim::script::path_values {
 // script. They pass as exceptions, so that destructors run.
 
 [[noreturn]] void raise(lua_State* state, const std::string& message);
-void check(lua_State* state, const tl::expected<void, std::string>& done);
+void check(lua_State* state, const Result<void>& done);
 
 /// Returns a string on the stack, valid as long as it stays there.
 std::string_view text_at(lua_State* state, int index);

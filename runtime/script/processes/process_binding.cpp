@@ -26,6 +26,10 @@ Processes& bound_processes(lua_State* state) {
     return bound<Processes>(state);
 }
 
+[[noreturn]] void alarm(lua_State* state, const std::string& message) {
+    bound_processes(state).robots().alarm(state, DiagnosticKind::process, message);
+}
+
 /// Returns the controller of the calling library.
 RobotController& engine_control(lua_State* state) {
     return *static_cast<RobotController*>(lua_touserdata(state, lua_upvalueindex(2)));
@@ -35,17 +39,14 @@ std::string check_name(lua_State* state, int index, const char* what) {
     std::size_t size = 0;
     const char* text = lua_type(state, index) == LUA_TSTRING ? lua_tolstring(state, index, &size) : nullptr;
     if (text == nullptr || size == 0)
-        bound_processes(state).alarm(state, DiagnosticKind::process,
-                                     fmt::format("the name of a {} is a text that is not empty", what));
+        alarm(state, fmt::format("the name of a {} must be a string that is not empty", what));
     return {text, size};
 }
 
 Value check_value(lua_State* state, int index) {
     if (lua_isboolean(state, index)) return lua_toboolean(state, index) != 0;
     const double number = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
-    if (!std::isfinite(number))
-        bound_processes(state).alarm(state, DiagnosticKind::process,
-                                     "the value of a signal is true, false or a number that is finite");
+    if (!std::isfinite(number)) alarm(state, "the value of a signal must be true, false or a finite number");
     return number;
 }
 
@@ -60,17 +61,16 @@ void push_value(lua_State* state, const Value& value) {
 double check_seconds(lua_State* state, int index) {
     const double seconds = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
     if (!(seconds >= 0) || !std::isfinite(seconds))
-        bound_processes(state).alarm(state, DiagnosticKind::process,
-                                     "a wait takes 0 seconds or more, as a number");
+        alarm(state, "a wait needs a number of seconds, 0 or more");
     return seconds;
 }
 
 template <typename Names>
-std::string hint(std::string_view name, const Names& names) {
+std::string hint(std::string_view kind, std::string_view name, const Names& names) {
     if (const auto nearest = text::nearest_name(name, names))
         return fmt::format("did you mean '{}'?", *nearest);
-    return names.empty() ? "a file of robots (--robots) has them"
-                         : fmt::format("there are: {}", text::joined(names, ", "));
+    return names.empty() ? fmt::format("{}s are defined in a robots file (--robots)", kind)
+                         : fmt::format("available: {}", text::joined(names, ", "));
 }
 
 /// Implements join(): continues when no process is earlier.
@@ -80,7 +80,7 @@ int join(lua_State* state) {
 
 /// Implements rest(): the robot of the process comes to a standstill, and their clocks agree.
 int bring_to_standstill(lua_State* state) {
-    bound_processes(state).bring_to_standstill(state);
+    bound_processes(state).robots().bring_to_standstill(state);
     return 0;
 }
 
@@ -91,8 +91,7 @@ int wait_seconds(lua_State* state) {
 /// Implements start(name, f, background).
 int start(lua_State* state) {
     std::string name = check_name(state, 1, "process");
-    if (!lua_isfunction(state, 2))
-        bound_processes(state).alarm(state, DiagnosticKind::process, "a process is a name and a function");
+    if (!lua_isfunction(state, 2)) alarm(state, "a process needs a name and a function");
     const bool background = lua_toboolean(state, 3) != 0;
     lua_settop(state, 2);
     bound_processes(state).start(state, std::move(name), background);
@@ -102,15 +101,15 @@ int start(lua_State* state) {
 int signal(lua_State* state) {
     const std::string name = check_name(state, 1, "signal");
     const Value value = check_value(state, 2);
-    if (!bound_processes(state).signals().has(name))
+    if (!bound_processes(state).signals().board().has(name))
         LuaState::of(state).add_external_bytes(state, kBytesOfSignal + name.size(),
                                                "the signals of the script");
-    bound_processes(state).set_signal(name, value);
+    bound_processes(state).signals().set(name, value);
     return 0;
 }
 
 int value(lua_State* state) {
-    push_value(state, bound_processes(state).value(check_name(state, 1, "signal")));
+    push_value(state, bound_processes(state).signals().board().get(check_name(state, 1, "signal")));
     return 1;
 }
 
@@ -123,16 +122,15 @@ int wait_signal(lua_State* state) {
     if (wait.kind != WaitKind::any_change) wait.signal = check_name(state, 1, "signal");
     if (wait.kind == WaitKind::equals) wait.value = check_value(state, 3);
     if (!lua_isnoneornil(state, 4)) wait.until_s = bound_processes(state).time_s() + check_seconds(state, 4);
-    return bound_processes(state).wait_signal(state, std::move(wait));
+    return bound_processes(state).signals().wait(state, std::move(wait));
 }
 
 int on_signal(lua_State* state) {
     const std::string name = check_name(state, 1, "signal");
     lua_settop(state, 2);
     if (!lua_isnil(state, 2) && !lua_isfunction(state, 2))
-        bound_processes(state).alarm(state, DiagnosticKind::process,
-                                     "on_signal takes the name of a signal and a function, or nil");
-    bound_processes(state).on_signal(state, name);
+        alarm(state, "on_signal needs the name of a signal and a function, or nil");
+    bound_processes(state).signals().set_interrupt(state, name);
     return 0;
 }
 
@@ -144,11 +142,10 @@ int several(lua_State* state) {
 
 int robot(lua_State* state) {
     const std::string name = check_name(state, 1, "robot");
-    const RobotController* found = bound_processes(state).find_controller(name);
+    const RobotController* found = bound_processes(state).robots().find(name);
     if (found == nullptr) {
-        bound_processes(state).alarm(state, DiagnosticKind::process,
-                                     fmt::format("there is no robot '{}'; {}", name,
-                                                 hint(name, bound_processes(state).controller_names())));
+        alarm(state, fmt::format("unknown robot '{}'; {}", name,
+                                 hint("robot", name, bound_processes(state).robots().names())));
     }
     found->push_environment(state);
     return 1;
@@ -162,44 +159,37 @@ int process_time(lua_State* state) {
 
 std::size_t check_zone(lua_State* state, int index) {
     const std::string name = check_name(state, index, "zone");
-    const process::SharedZones& zones = bound_processes(state).zones();
+    const process::SharedZones& zones = bound_processes(state).zones().shared_zones();
     if (const auto found = zones.find(name)) return *found;
-    bound_processes(state).alarm(state, DiagnosticKind::process,
-                                 fmt::format("there is no zone '{}'; {}", name, hint(name, zones.names())));
+    alarm(state, fmt::format("unknown zone '{}'; {}", name, hint("zone", name, zones.names())));
 }
 
 /// Implements enter_zone(name): continues when the process has the zone.
 int enter_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
-    if (bound_processes(state).has_zone(zone)) {
-        bound_processes(state).alarm(
-            state, DiagnosticKind::process,
-            fmt::format("the process has the zone '{}' already", bound_processes(state).zones().name(zone)));
+    if (bound_processes(state).zones().has(zone)) {
+        alarm(state, fmt::format("the process already occupies the zone '{}'",
+                                 bound_processes(state).zones().shared_zones().name(zone)));
     }
-    return bound_processes(state).enter_zone(state, zone);
+    return bound_processes(state).zones().enter(state, zone);
 }
 
 int leave_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
-    if (!bound_processes(state).has_zone(zone)) {
-        bound_processes(state).alarm(state, DiagnosticKind::process,
-                                     fmt::format("the process does not have the zone '{}'",
-                                                 bound_processes(state).zones().name(zone)));
+    if (!bound_processes(state).zones().has(zone)) {
+        alarm(state, fmt::format("the process does not occupy the zone '{}'",
+                                 bound_processes(state).zones().shared_zones().name(zone)));
     }
-    bound_processes(state).leave_zone(zone);
+    bound_processes(state).zones().leave(zone);
     return 0;
 }
 
 process::Conveyor& check_conveyor(lua_State* state, int index) {
     const std::string name = check_name(state, index, "conveyor");
-    process::Conveyor* found = bound_processes(state).find_conveyor(name);
+    process::Conveyor* found = bound_processes(state).conveyors().find(name);
     if (found != nullptr) return *found;
-    std::vector<std::string_view> names;
-    names.reserve(bound_processes(state).conveyors().size());
-    for (const process::Conveyor& conveyor : bound_processes(state).conveyors())
-        names.push_back(conveyor.name());
-    bound_processes(state).alarm(state, DiagnosticKind::process,
-                                 fmt::format("there is no conveyor '{}'; {}", name, hint(name, names)));
+    alarm(state, fmt::format("unknown conveyor '{}'; {}", name,
+                             hint("conveyor", name, bound_processes(state).conveyors().names())));
 }
 
 /// Implements conveyor(name): raises an alarm if the conveyor does not exist.
@@ -218,10 +208,8 @@ int conveyor_position(lua_State* state) {
 int conveyor_speed(lua_State* state) {
     process::Conveyor& conveyor = check_conveyor(state, 1);
     const double speed_mm_s = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
-    if (!std::isfinite(speed_mm_s))
-        bound_processes(state).alarm(state, DiagnosticKind::process,
-                                     "the speed of a conveyor is a number of mm/s");
-    bound_processes(state).set_conveyor_speed(state, conveyor, speed_mm_s);
+    if (!std::isfinite(speed_mm_s)) alarm(state, "the speed of a conveyor must be a number in mm/s");
+    bound_processes(state).conveyors().set_speed(state, conveyor, speed_mm_s);
     return 0;
 }
 
@@ -230,9 +218,7 @@ int conveyor_speed(lua_State* state) {
 int conveyor_reaches(lua_State* state) {
     const process::Conveyor& conveyor = check_conveyor(state, 1);
     const double position_mm = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
-    if (!std::isfinite(position_mm))
-        bound_processes(state).alarm(state, DiagnosticKind::process,
-                                     "the position of a conveyor is a number of mm");
+    if (!std::isfinite(position_mm)) alarm(state, "the position of a conveyor must be a number in mm");
     const double now_s = bound_processes(state).time_s();
     const double arrival_s = conveyor.arrival_time_s(position_mm, now_s);
     if (!std::isfinite(arrival_s)) return 0;
@@ -243,7 +229,7 @@ int conveyor_reaches(lua_State* state) {
 /// Implements track(name or nil).
 int track(lua_State* state) {
     process::Conveyor* requested = lua_isnoneornil(state, 1) ? nullptr : &check_conveyor(state, 1);
-    bound_processes(state).track(state, engine_control(state), requested);
+    bound_processes(state).conveyors().track(state, engine_control(state), requested);
     return 0;
 }
 

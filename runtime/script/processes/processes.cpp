@@ -1,6 +1,7 @@
 #include "runtime/script/processes/processes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,59 +9,82 @@ namespace gsim::script {
 
 using text::DiagnosticKind;
 
-using process::is_on;
 using process::Process;
 using process::ProcessId;
 using process::ProcessState;
-using process::Value;
-using process::value_text;
 
 Processes::Processes(LuaState& lua, SourceLocator& locations, std::vector<RobotController*> controllers,
                      std::vector<process::Conveyor> conveyors)
     : lua_(lua),
       source_locator_(locations),
-      controllers_(std::move(controllers)),
-      conveyors_(std::move(conveyors)) {
-    for (RobotController* controller : controllers_) {
+      robots_(table_, locations, std::move(controllers)),
+      known_motion_(table_, robots_),
+      signals_(lua, table_, robots_),
+      conveyors_(table_, robots_, signals_, std::move(conveyors)),
+      zones_(table_, robots_, known_motion_) {
+    for (RobotController* controller : robots_.controllers()) {
         controller->interpreter().on_foreign_word(
             [this](lua_State* state, Interpreter& interpreter) { attach(state, interpreter); });
     }
     lua_.on_line([this](lua_State* state, lua_Debug* line) { on_line_hook(state, line); });
 }
 
+void Processes::set_multi_robot_monitor(simulation::MultiRobotMonitor& monitor) {
+    known_motion_.set_multi_robot_monitor(monitor);
+    monitor.on_buffer_full([this] {
+        const std::vector<LuaProcess::Thread>& threads = table_.running_lua().threads;
+        if (!threads.empty()) lua_.set_line_hook(threads.front().state, true);
+    });
+}
+
 Processes::Outcome Processes::run(lua_State* state) {
-    for (const process::Conveyor& conveyor : conveyors_) notify_conveyor(conveyor, 0);
+    conveyors_.start();
     start(state, "main", false);
-    if (controllers_.size() == 1) {
-        assign_robot(*lua_processes_[0], controllers_[0]);
-        notify_robot_owner(controllers_[0]);
+    const std::vector<RobotController*>& controllers = robots_.controllers();
+    if (controllers.size() == 1) {
+        ProcessRobots::assign(table_.lua_process(0), controllers[0]);
+        known_motion_.on_robot_owner(*controllers[0]);
     }
-    while (const std::optional<ProcessId> id = schedule_.activate_next()) {
+    while (const std::optional<ProcessId> id = table_.schedule().activate_next()) {
         if (std::optional<Outcome> outcome = resume(*id)) return *std::move(outcome);
     }
-    return schedule_.has_unfinished() ? deadlock() : Outcome{.controller = controllers_[0]};
+    return table_.schedule().has_unfinished() ? deadlock() : Outcome{.controller = controllers[0]};
 }
 
 Processes::Outcome Processes::deadlock() {
+    const process::Schedule& schedule = table_.schedule();
     ProcessId first = 0;
-    while (schedule_.process(first).background || schedule_.process(first).state == ProcessState::done)
-        ++first;
-    RobotController* controller = lua_processes_[first]->controller;
-    if (controller == nullptr) controller = controllers_[0];
-    return {
-        .end = RunEnd::deadlock,
-        .message = fmt::format("{}nothing can go on: {}", schedule_.any_waits_for_zone() ? "dead-lock, " : "",
-                               schedule_.waits(controller->simulator().files())),
-        .controller = controller,
-        .location = schedule_.process(first).location};
+    while (schedule.process(first).background || schedule.process(first).state == ProcessState::done) ++first;
+    RobotController& controller = robots_.controller_of(first);
+    return {.end = RunEnd::deadlock,
+            .message = fmt::format("{}no process can continue: {}",
+                                   schedule.any_waits_for_zone() ? "deadlock, " : "",
+                                   schedule.waits(controller.simulator().program().files().names())),
+            .controller = &controller,
+            .location = schedule.process(first).location};
+}
+
+/// Returns a deadlock if another process waits for a zone that this ended process has kept. It would wait
+/// indefinitely, regardless of the others.
+std::optional<Processes::Outcome> Processes::find_deadlock(ProcessId id) {
+    const process::Schedule& schedule = table_.schedule();
+    const std::optional<ProcessId> first = schedule.find_zone_waiter(id);
+    if (!first) return std::nullopt;
+    RobotController& controller = robots_.controller_of(*first);
+    const std::string waits =
+        schedule.waits(controller.simulator().program().files().names(), schedule.deadlocked_from(*first));
+    return Outcome{.end = RunEnd::deadlock,
+                   .message = "deadlock: " + waits,
+                   .controller = &controller,
+                   .location = schedule.process(*first).location};
 }
 
 // --- Threads ---
 
 /// Moves the function on top of the stack of `from` to a thread of its own. It has the hook of the main
 /// state.
-Processes::Thread Processes::new_thread(lua_State* from) {
-    Thread thread;
+LuaProcess::Thread Processes::new_thread(lua_State* from) {
+    LuaProcess::Thread thread;
     thread.state = lua_newthread(lua_.get());
     thread.reference = luaL_ref(lua_.get(), LUA_REGISTRYINDEX);
     lua_xmove(from, thread.state, 1);
@@ -73,23 +97,21 @@ void Processes::drop_thread(LuaProcess& lua_process) {
 }
 
 void Processes::start(lua_State* state, std::string name, bool background) {
-    const bool first = lua_processes_.empty();
+    const bool first = table_.size() == 0;
     const double start_s = first ? 0 : time_s();
-    schedule_.add(std::move(name), background, start_s, source_locator_.current(state));
-    lua_processes_.push_back(std::make_unique<LuaProcess>());
-    lua_processes_.back()->threads.push_back(new_thread(state));
-    lua_.set_line_hook(lua_processes_.back()->threads.front().state, tracks_conveyors());
-    notify_known_time();
+    LuaProcess& added = table_.add(std::move(name), background, start_s, source_locator_.current(state));
+    added.threads.push_back(new_thread(state));
+    lua_.set_line_hook(added.threads.front().state, robots_.has_conveyors());
+    known_motion_.update();
 }
 
 /// Runs the process until it yields or ends; returns an outcome if the run is over.
 std::optional<Processes::Outcome> Processes::resume(ProcessId id) {
-    running_ = id;
-    LuaProcess& lua_process = *lua_processes_[id];
-    for (RobotController* controller : controllers_)
-        controller->interpreter().set_attached(controller == lua_process.controller);
-    add_idle_time(lua_process);
-    notify_known_time();
+    table_.set_running(id);
+    LuaProcess& lua_process = table_.lua_process(id);
+    robots_.attach_running();
+    robots_.add_idle_time();
+    known_motion_.update();
     if (lua_process.yield_reason == YieldReason::at_block && !lua_process.pending.empty())
         start_interrupt(lua_process);
     const int arguments = push_resume_arguments(lua_process);
@@ -102,15 +124,13 @@ std::optional<Processes::Outcome> Processes::resume(ProcessId id) {
         lua_pop(thread, results);
         return std::nullopt;
     }
-    RobotController* controller =
-        lua_process.controller != nullptr ? lua_process.controller : controllers_[0];
     const bool stopped = status == LUA_ERRRUN && LuaState::is_stop(thread, -1);
-    const bool has_alarm = std::any_of(controllers_.begin(), controllers_.end(), [](RobotController* each) {
-        return each->simulator().alarm().has_value();
-    });
-    if (status != LUA_OK && (!stopped || has_alarm || lua_.ended() != LuaState::StopReason::no))
-        return Outcome{
-            .end = RunEnd::error, .error_thread = thread, .status = status, .controller = controller};
+    if (status != LUA_OK && (!stopped || robots_.has_alarm() || lua_.ended() != LuaState::StopReason::no)) {
+        return Outcome{.end = RunEnd::error,
+                       .error_thread = thread,
+                       .status = status,
+                       .controller = &robots_.controller_of(id)};
+    }
     if (status == LUA_OK && lua_process.threads.size() > 1) {  // the end of an interrupt
         drop_thread(lua_process);
         lua_process.yield_reason = YieldReason::at_block;
@@ -125,14 +145,14 @@ int Processes::push_resume_arguments(LuaProcess& lua_process) {
     const YieldReason yield_reason = std::exchange(lua_process.yield_reason, YieldReason::to_join);
     if (yield_reason == YieldReason::to_interrupt) return 1;  // with its function
     if (yield_reason != YieldReason::in_wait) return 0;
-    lua_pushboolean(lua_process.threads.back().state, static_cast<int>(!now().timed_out));
+    lua_pushboolean(lua_process.threads.back().state, static_cast<int>(!table_.running().timed_out));
     return 1;
 }
 
 void Processes::start_interrupt(LuaProcess& lua_process) {
     lua_State* state = lua_.get();
-    controllers_[0]->push_library(state, "run_interrupt");
-    const Thread thread = new_thread(state);
+    robots_.controllers()[0]->push_library(state, "run_interrupt");
+    const LuaProcess::Thread thread = new_thread(state);
     lua_rawgeti(thread.state, LUA_REGISTRYINDEX, lua_process.pending.front());
     lua_process.pending.pop_front();
     lua_process.threads.push_back(thread);
@@ -140,207 +160,98 @@ void Processes::start_interrupt(LuaProcess& lua_process) {
 }
 
 void Processes::finish(ProcessId id) {
-    LuaProcess& lua_process = *lua_processes_[id];
-    Process& process = schedule_.process(id);
+    LuaProcess& lua_process = table_.lua_process(id);
+    Process& process = table_.schedule().process(id);
     if (several() && lua_process.controller != nullptr)
-        process.time_s = std::max(process.time_s, lua_process.controller->simulator().time_s());
-    assign_robot(lua_process, nullptr);
+        process.time_s = std::max(process.time_s, lua_process.controller->simulator().clock().time_s());
+    ProcessRobots::assign(lua_process, nullptr);
     while (!lua_process.threads.empty()) drop_thread(lua_process);
-    schedule_.finish(id);
-}
-
-// --- Robots ---
-
-Interpreter& Processes::interpreter() {
-    RobotController* controller = lua_process().controller;
-    return (controller != nullptr ? controller : controllers_[0])->interpreter();
-}
-
-RobotController* Processes::find_controller(std::string_view name) const {
-    const auto found =
-        std::find_if(controllers_.begin(), controllers_.end(),
-                     [&](const RobotController* controller) { return controller->name() == name; });
-    return found == controllers_.end() ? nullptr : *found;
-}
-
-std::vector<std::string_view> Processes::controller_names() const {
-    std::vector<std::string_view> names;
-    names.reserve(controllers_.size());
-    for (const RobotController* controller : controllers_) {
-        if (!controller->name().empty()) names.push_back(controller->name());
-    }
-    return names;
-}
-
-void Processes::assign_robot(LuaProcess& lua_process, RobotController* controller) {
-    if (lua_process.controller != nullptr) lua_process.controller->interpreter().set_attached(false);
-    lua_process.controller = controller;
-    if (controller == nullptr) return;
-    lua_process.robot = controller->name();
-    controller->interpreter().set_attached(true);
+    table_.schedule().finish(id);
 }
 
 /// Attaches a robot if the running process calls a word of a robot that it does not have.
-void Processes::attach(lua_State* state, Interpreter& requested) {
-    const auto is_requested = [&](RobotController* controller) {
-        return &controller->interpreter() == &requested;
-    };
-    RobotController* controller = *std::find_if(controllers_.begin(), controllers_.end(), is_requested);
-    for (ProcessId id = 0; id < lua_processes_.size(); ++id) {
-        if (lua_processes_[id]->controller != controller || id == running_) continue;
-        alarm(state, DiagnosticKind::process,
-              fmt::format("the robot{} belongs to the process '{}' as long as that runs",
-                          controller->name().empty() ? "" : fmt::format(" '{}'", controller->name()),
-                          schedule_.process(id).name));
-    }
-    bring_to_standstill(state);
-    assign_robot(lua_process(), controller);
-    now().time_s = std::max(now().time_s, controller->simulator().time_s());
-    notify_robot_owner(controller);
-    add_idle_time(lua_process());
-}
-
-/// The clock of the robot follows that of its process.
-void Processes::add_idle_time(LuaProcess& lua_process) {
-    if (lua_process.controller == nullptr) return;
-    simulation::Simulator& simulator = lua_process.controller->simulator();
-    const double idle_s = now().time_s - simulator.planned_s();
-    if (!(idle_s > 0) || lua_process.yield_reason == YieldReason::at_block) return;
-    lua_process.idle_s += idle_s;
-    lua_process.controller->add_idle(idle_s);
-    simulator.dwell(idle_s, now().location);
-    now().time_s = std::max(now().time_s, simulator.planned_s());
+void Processes::attach(lua_State* state, const Interpreter& requested) {
+    RobotController& controller = robots_.with_interpreter(requested);
+    robots_.check_free(state, controller);
+    robots_.bring_to_standstill(state);
+    ProcessRobots::assign(table_.running_lua(), &controller);
+    Process& process = table_.running();
+    process.time_s = std::max(process.time_s, controller.simulator().clock().time_s());
+    known_motion_.on_robot_owner(controller);
+    robots_.add_idle_time();
 }
 
 // --- Requests of the running process ---
 
-void Processes::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {
-    interpreter().locate(state);
-    interpreter().alarm(state, kind, message);
-}
-
 void Processes::count_join(lua_State* state) {
-    simulation::Simulator& simulator = interpreter().simulator();
-    if (++joins_ <= simulator.max_blocks()) return;
-    simulator.stop(DiagnosticKind::run_limit,
-                   fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
-                   now().location);
+    simulation::Simulator& simulator = robots_.interpreter().simulator();
+    if (++joins_ <= simulator.outcome().limits().max_blocks) return;
+    simulator.outcome().stop(
+        DiagnosticKind::run_limit,
+        fmt::format("the processes have called join {} times (--max-blocks)", joins_ - 1),
+        table_.running().location);
     LuaState::raise_stop(state);
 }
 
-void Processes::bring_to_standstill(lua_State* state) {
-    Process& process = now();
-    if (const simulation::SourceLocation location = source_locator_.current(state); location.line > 0)
-        process.location = location;
-    RobotController* controller = lua_process().controller;
-    if (controller == nullptr) return;
-    controller->interpreter().locate(state);
-    controller->flush(state);
-    controller->simulator().wait();
-    process.time_s = std::max(process.time_s, controller->simulator().planned_s());
-}
-
-int Processes::yield(lua_State* state, YieldReason reason) {
-    lua_process().yield_reason = reason;
-    return lua_yield(state, 0);
-}
-
 int Processes::join(lua_State* state) {
-    bring_to_standstill(state);
+    robots_.bring_to_standstill(state);
     count_join(state);
-    simulation::Simulator& simulator = interpreter().simulator();
-    if (now().time_s > simulator.max_time_s()) {
-        simulator.stop(DiagnosticKind::run_limit,
-                       fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
-                                   simulator.max_time_s()),
-                       now().location);
+    simulation::Simulator& simulator = robots_.interpreter().simulator();
+    if (time_s() > simulator.outcome().limits().max_time_s) {
+        simulator.outcome().stop(DiagnosticKind::run_limit,
+                                 fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
+                                             simulator.outcome().limits().max_time_s),
+                                 table_.running().location);
         LuaState::raise_stop(state);
     }
-    return schedule_.continues(running_) ? 0 : yield(state, YieldReason::to_join);
+    return table_.schedule().continues(table_.running_id()) ? 0 : table_.yield(state, YieldReason::to_join);
 }
 
 int Processes::wait(lua_State* state, double seconds) {
-    bring_to_standstill(state);
-    const double end_s = now().time_s + seconds;
-    if (RobotController* controller = lua_process().controller; controller != nullptr)
-        controller->interpreter().check(state, controller->simulator().dwell(seconds, now().location));
-    now().time_s = end_s;
+    robots_.bring_to_standstill(state);
+    Process& process = table_.running();
+    const double end_s = process.time_s + seconds;
+    if (RobotController* controller = table_.running_lua().controller; controller != nullptr)
+        controller->interpreter().check(state,
+                                        controller->simulator().dwells().enqueue(seconds, process.location));
+    process.time_s = end_s;
     if (seconds > 0) lua_.restart_steps();
     return join(state);
-}
-
-void Processes::set_signal(const std::string& name, const Value& value) {
-    const Value before = signal_board_.get(name);
-    if (!signal_board_.set(name, value)) return;
-    signal_board_.note({.t_s = now().time_s,
-                        .location = now().location,
-                        .process = now().name,
-                        .signal = name,
-                        .value = value_text(value)});
-    schedule_.changed(name, before, value, now().time_s);
-    if (is_on(before) || !is_on(value)) return;
-    for (const std::unique_ptr<LuaProcess>& lua_process : lua_processes_) {
-        if (const auto handler = lua_process->handlers.find(name); handler != lua_process->handlers.end())
-            lua_process->pending.push_back(handler->second);
-    }
-}
-
-int Processes::wait_signal(lua_State* state, process::Wait wait) {
-    if (is_met(wait, signal_board_.get(wait.signal))) {
-        lua_pushboolean(state, 1);
-        return 1;
-    }
-    schedule_.wait(running_, std::move(wait));
-    return yield(state, YieldReason::in_wait);
-}
-
-void Processes::on_signal(lua_State* state, const std::string& name) {
-    LuaProcess& lua_process = this->lua_process();
-    if (const auto old = lua_process.handlers.find(name); old != lua_process.handlers.end()) {
-        std::erase(lua_process.pending, old->second);
-        luaL_unref(state, LUA_REGISTRYINDEX, old->second);
-        lua_process.handlers.erase(old);
-    }
-    if (lua_isnil(state, -1)) {
-        lua_pop(state, 1);
-    } else {
-        lua_process.handlers.emplace(name, luaL_ref(state, LUA_REGISTRYINDEX));
-    }
-    lua_.set_line_hook(lua_process.threads.front().state, needs_line_hook(lua_process));
 }
 
 /// A process that can be interrupted is about to run another line, so all events up to its time must be
 /// known. The same applies if its robot is far ahead of others that are checked against it.
 void Processes::on_line_hook(lua_State* state, lua_Debug* line) {
-    LuaProcess& lua_process = this->lua_process();
+    LuaProcess& lua_process = table_.running_lua();
     if (lua_process.threads.size() > 1 || lua_isyieldable(state) == 0) return;
     lua_getinfo(state, "S", line);
     if (line->source[0] != '=' || line->source[1] != '#') return;
+    Process& process = table_.running();
     if (lua_process.controller != nullptr)
-        now().time_s = std::max(now().time_s, lua_process.controller->simulator().planned_s());
-    if (!needs_line_hook(lua_process)) {
+        process.time_s = std::max(process.time_s, lua_process.controller->simulator().clock().planned_s());
+    if (!signals_.needs_line_hook(lua_process)) {
         lua_.set_line_hook(state, false);
-        notify_known_time();
+        known_motion_.update();
     }
-    if (schedule_.continues(running_) && lua_process.pending.empty()) return;
-    yield(state, YieldReason::at_block);
+    if (table_.schedule().continues(table_.running_id()) && lua_process.pending.empty()) return;
+    table_.yield(state, YieldReason::at_block);
 }
 
 std::vector<simulation::ProcessSummary> Processes::summaries() const {
     std::vector<simulation::ProcessSummary> list;
-    list.reserve(lua_processes_.size());
-    for (ProcessId id = 0; id < lua_processes_.size(); ++id) {
-        const Process& process = schedule_.process(id);
+    list.reserve(table_.size());
+    for (ProcessId id = 0; id < table_.size(); ++id) {
+        const Process& process = table_.schedule().process(id);
         const bool waiting = process.state == ProcessState::waiting;
         list.push_back({.name = process.name,
-                        .robot = lua_processes_[id]->robot,
+                        .robot = table_.lua_process(id).robot,
                         .state = process.state == ProcessState::done ? "done"
                                  : waiting                           ? "waiting"
                                                                      : "stopped",
                         .background = process.background,
                         .start_s = process.start_s,
                         .end_s = process.time_s,
-                        .idle_s = lua_processes_[id]->idle_s});
+                        .idle_s = table_.lua_process(id).idle_s});
     }
     return list;
 }

@@ -22,7 +22,7 @@ double distance(const Vector2d& from, const Vector2d& to) {
 }
 
 /// Returns the centre: from the middle of the chord at a signed distance to the left of start -> end.
-Vector2d point_beside_chord(const ArcEnds& ends, double left_mm) {
+Vector2d center_left_of_chord(const ArcEnds& ends, double left_mm) {
     const double x = ends.end.x() - ends.start.x();
     const double y = ends.end.y() - ends.start.y();
     const double chord = distance(ends.start, ends.end);
@@ -48,49 +48,45 @@ double swept_rad(const ArcEnds& ends, const Vector2d& center) {
     return positive > 0 ? positive : kTurn_rad;
 }
 
-tl::expected<ArcSolution, std::string> arc_by_center(const ArcEnds& ends, const Vector2d& center,
-                                                     const ArcRules& rules, bool inches) {
+Result<ArcSolution> arc_by_center(const ArcEnds& ends, const Vector2d& center, const ArcRules& rules,
+                                  bool inches) {
     const double at_start = distance(center, ends.start);
     const double at_end = distance(center, ends.end);
     if (std::abs(at_start - at_end) > rules.radii_tolerance(std::max(at_start, at_end), inches)) {
-        return tl::unexpected(fmt::format(
+        return Unexpected(fmt::format(
             "the arc is impossible: its radius is {:.6f} mm at the start and {:.6f} mm at the end", at_start,
             at_end));
     }
-    if (at_start < kPointTolerance_mm)
-        return tl::unexpected<std::string>("the arc has no radius: its centre is the start");
+    if (at_start < kPointTolerance_mm) return Unexpected("the arc has no radius: its centre is the start");
     const bool closed = distance(ends.start, ends.end) < kPointTolerance_mm;
     return ArcSolution{center, closed ? kTurn_rad : swept_rad(ends, center)};
 }
 
-tl::expected<ArcSolution, std::string> arc_by_radius(const ArcEnds& ends, double radius_mm,
-                                                     const ArcRules& rules) {
+Result<ArcSolution> arc_by_radius(const ArcEnds& ends, double radius_mm, const ArcRules& rules) {
     const double half = distance(ends.start, ends.end) / 2;
     if (half < kPointTolerance_mm / 2)
-        return tl::unexpected<std::string>("a full circle cannot be given by R; give its centre");
+        return Unexpected("a full circle cannot be given by R; give its centre");
     const double radius = std::abs(radius_mm);
-    if (half - radius > rules.short_radius_mm) {
-        return tl::unexpected(fmt::format(
+    if (half - radius > rules.max_radius_shortfall_mm) {
+        return Unexpected(fmt::format(
             "the arc is impossible: R is {:.6f} mm, but half the distance to the end is {:.6f} mm", radius,
             half));
     }
     const double height = std::sqrt(std::max(radius * radius - half * half, 0.0));
     const double angle = 2 * std::asin(std::min(half / radius, 1.0));
     const bool left = ends.ccw == (radius_mm > 0);
-    return ArcSolution{point_beside_chord(ends, left ? height : -height),
+    return ArcSolution{center_left_of_chord(ends, left ? height : -height),
                        radius_mm > 0 ? angle : kTurn_rad - angle};
 }
 
-tl::expected<ArcSolution, std::string> arc_by_angle(const ArcEnds& ends, double angle_rad) {
+Result<ArcSolution> arc_by_angle(const ArcEnds& ends, double angle_rad) {
     const double half = distance(ends.start, ends.end) / 2;
     if (half < kPointTolerance_mm / 2) {
-        return tl::unexpected<std::string>(
-            "an arc by its angle needs an end other than its start, or its centre");
+        return Unexpected("an arc given by its angle needs an end other than its start, or its centre");
     }
-    if (angle_rad >= kTurn_rad)
-        return tl::unexpected<std::string>("AR= of an arc with an end is below 360 degrees");
+    if (angle_rad >= kTurn_rad) return Unexpected("AR= of an arc with an end must be below 360 degrees");
     const double left = half / std::tan(angle_rad / 2);
-    return ArcSolution{point_beside_chord(ends, ends.ccw ? left : -left), angle_rad};
+    return ArcSolution{center_left_of_chord(ends, ends.ccw ? left : -left), angle_rad};
 }
 
 Vector2d end_by_angle(const ArcEnds& ends, const Vector2d& center, double angle_rad) {
@@ -101,16 +97,16 @@ Vector2d end_by_angle(const ArcEnds& ends, const Vector2d& center, double angle_
     return {center.x() + c * x - s * y, center.y() + s * x + c * y};
 }
 
-tl::expected<double, std::string> arc_angle_rad(double degrees) {
+Result<double> arc_angle_rad(double degrees) {
     if (!(degrees > 0 && degrees <= 360))
-        return tl::unexpected<std::string>("AR= is an angle above 0 and up to 360 degrees");
+        return Unexpected("AR= must be an angle above 0 and up to 360 degrees");
     return degrees * kRadPerDeg;
 }
 
-tl::expected<double, std::string> additional_turns_rad(double turns, const ArcRules& rules) {
+Result<double> additional_turns_rad(double turns, const ArcRules& rules) {
     const double rounded_turns = std::floor(turns + 0.5);
     if (!(std::abs(turns - rounded_turns) <= rules.turns_tolerance) || rounded_turns < 1) {
-        return tl::unexpected<std::string>("P of an arc is its number of turns, a whole number from 1 on");
+        return Unexpected("P of an arc (number of turns) must be an integer of at least 1");
     }
     return (rounded_turns - 1) * kTurn_rad;
 }

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::script {
 
@@ -13,7 +13,7 @@ struct ArcRules {
     double radii_tolerance_inch_mm = 0.05;  ///< if the program is in inches,
     double radii_tolerance_share = 0;       ///< or by this share of the greater radius, if that is more,
     double radii_tolerance_growth = 1;      ///< up to so many times the former.
-    double short_radius_mm = 0.05;          ///< R may be too short for the end by this much.
+    double max_radius_shortfall_mm = 0.05;  ///< R may be too short for the end by this much.
     double turns_tolerance = 0;             ///< Max deviation of turns from an integer.
 
     /// Returns the max difference of radii if the larger one is `radius_mm`.
@@ -38,18 +38,17 @@ double swept_rad(const ArcEnds& ends, const Eigen::Vector2d& center);
 // Four definitions of an arc. The errors are messages for the programmer. Values that are no numbers give a
 // solution that is none.
 
-tl::expected<ArcSolution, std::string> arc_by_center(const ArcEnds& ends, const Eigen::Vector2d& center,
-                                                     const ArcRules& rules, bool inches);
+Result<ArcSolution> arc_by_center(const ArcEnds& ends, const Eigen::Vector2d& center, const ArcRules& rules,
+                                  bool inches);
 /// Returns the arc of at most half a turn for a radius above 0, the other arc for one below 0.
-tl::expected<ArcSolution, std::string> arc_by_radius(const ArcEnds& ends, double radius_mm,
-                                                     const ArcRules& rules);
-tl::expected<ArcSolution, std::string> arc_by_angle(const ArcEnds& ends, double angle_rad);
+Result<ArcSolution> arc_by_radius(const ArcEnds& ends, double radius_mm, const ArcRules& rules);
+Result<ArcSolution> arc_by_angle(const ArcEnds& ends, double angle_rad);
 /// Returns the end of an arc of that angle about the centre; the end in `ends` is ignored.
 Eigen::Vector2d end_by_angle(const ArcEnds& ends, const Eigen::Vector2d& center, double angle_rad);
 
 /// Converts AR=, degrees above 0 and up to 360, to radians.
-tl::expected<double, std::string> arc_angle_rad(double degrees);
+Result<double> arc_angle_rad(double degrees);
 /// Returns the sweep that P turns, an integer from 1 on, add to an arc.
-tl::expected<double, std::string> additional_turns_rad(double turns, const ArcRules& rules);
+Result<double> additional_turns_rad(double turns, const ArcRules& rules);
 
 }  // namespace gsim::script

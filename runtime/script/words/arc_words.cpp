@@ -20,12 +20,12 @@ void move_along_arc(lua_State* state, Interpreter& interpreter) {
     if (!lua_istable(state, 1)) {
         const char* name = lua_tostring(state, lua_upvalueindex(4));
         interpreter.alarm(state, DiagnosticKind::script,
-                          fmt::format("{0} takes its words in braces: {0}{{x=1, y=2}}", name));
+                          fmt::format("{0} needs its words in braces: {0}{{x=1, y=2}}", name));
     }
     simulation::ArcMove move = read_arc(state, interpreter, ccw, 1);
     move.feed = interpreter.feed(state, move.sweep_rad);
     move.location = interpreter.location();
-    interpreter.check(state, interpreter.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().moves().enqueue(move));
 }
 
 /// Implements G2{..} and G3{..}; upvalues as above.
@@ -123,7 +123,7 @@ int set_arc_rules(lua_State* state) {
     read_field(state, "radii_tolerance_inch_mm", rules.radii_tolerance_inch_mm);
     read_field(state, "radii_tolerance_share", rules.radii_tolerance_share);
     read_field(state, "radii_tolerance_growth", rules.radii_tolerance_growth);
-    read_field(state, "short_radius_mm", rules.short_radius_mm);
+    read_field(state, "max_radius_shortfall_mm", rules.max_radius_shortfall_mm);
     read_field(state, "turns_tolerance", rules.turns_tolerance);
     return 0;
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/commands.h"
 
 namespace gsim::script {
 

@@ -32,14 +32,14 @@ std::string word_advice(std::string_view key, std::optional<double> value,
         return fmt::format("; write {}", lower_key);
     for (const StandaloneWord& word : kStandaloneWords) {
         if (word.key != lower_key) continue;
-        return fmt::format("; {} is a word of its own, {}({:.10g})", word.meaning, text::upper(lower_key),
+        return fmt::format("; {} is a separate word, {}({:.10g})", word.meaning, text::upper(lower_key),
                            value.value_or(1));
     }
     if (key.size() > 1) {
         if (const auto nearest = text::nearest_name(lower_key, used_letters))
             return fmt::format("; did you mean {}?", *nearest);
     }
-    return used_letters.empty() ? "" : fmt::format("; it takes {}", text::joined(used_letters, ", "));
+    return used_letters.empty() ? "" : fmt::format("; it accepts {}", text::joined(used_letters, ", "));
 }
 
 }  // namespace gsim::script

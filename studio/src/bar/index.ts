@@ -75,7 +75,7 @@ export function createBar(host: HTMLElement, store: Store, session: Session, fol
     runControls(store, session),
     preferences(store, folder !== null),
   );
-  host.append(element("div", { class: "notices" }, ...(controls ? [controls.standing] : []), noticeLine(store)));
+  host.append(element("div", { class: "notices" }, ...(controls ? [controls.messageArea] : []), noticeLine(store)));
   warnBeforeUnload(session, folder);
   acceptDrops(session);
   document.addEventListener("keydown", (event) => {

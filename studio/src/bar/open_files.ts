@@ -2,8 +2,8 @@
 // can use.
 
 import type { FileContent } from "../core/file_content";
+import { baseName, dialectOfName, kindOfFile, type FileKind } from "../core/file_kinds";
 import { openFileDialog } from "../core/files";
-import { baseName, dialectOfName, kindOfFile, type FileKind } from "../core/kinds";
 import type { Session } from "../core/session";
 import type { Setup } from "../core/setup";
 import type { Store } from "../core/store";
@@ -11,7 +11,7 @@ import { texts } from "../texts";
 
 const words = texts.bar;
 
-interface Opened {
+interface OpenedFile {
   name: string;
   file: File;
 }
@@ -56,10 +56,10 @@ function openInForms(files: Record<string, FileContent>, store: Store): string[]
 }
 
 /** Orders programs to choose the one to run: upper folders before those below, then by name. */
-const compareDepth = (a: Opened, b: Opened): number =>
+const compareDepth = (a: OpenedFile, b: OpenedFile): number =>
   a.name.split("/").length - b.name.split("/").length || a.name.localeCompare(b.name);
 
-async function open(opened: Opened[], session: Session): Promise<void> {
+async function open(opened: OpenedFile[], session: Session): Promise<void> {
   const { documents, history, store } = session;
   opened.sort(compareDepth);
   const files: Record<string, FileContent> = {};
@@ -75,13 +75,13 @@ async function open(opened: Opened[], session: Session): Promise<void> {
 }
 
 /** Returns the files of an entry, including subfolders; names are relative to the dropped folder. */
-async function entryFiles(entry: FileSystemEntry, path: string): Promise<Opened[]> {
+async function entryFiles(entry: FileSystemEntry, path: string): Promise<OpenedFile[]> {
   if (entry.isFile) {
     const file = await new Promise<File>((fulfil, fail) => (entry as FileSystemFileEntry).file(fulfil, fail));
     return [{ name: path + entry.name, file }];
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
-  const found: Opened[] = [];
+  const found: OpenedFile[] = [];
   for (;;) {
     const entries = await new Promise<FileSystemEntry[]>((fulfil, fail) => reader.readEntries(fulfil, fail));
     if (entries.length === 0) return found;
@@ -97,22 +97,22 @@ interface Handle {
   values(): AsyncIterable<Handle>;
 }
 
-async function handleFiles(handle: Handle, path: string): Promise<Opened[]> {
+async function filesOfHandle(handle: Handle, path: string): Promise<OpenedFile[]> {
   if (handle.kind === "file") return [{ name: path + handle.name, file: await handle.getFile() }];
-  const found: Opened[] = [];
-  for await (const each of handle.values()) found.push(...(await handleFiles(each, `${path}${handle.name}/`)));
+  const found: OpenedFile[] = [];
+  for await (const each of handle.values()) found.push(...(await filesOfHandle(each, `${path}${handle.name}/`)));
   return found;
 }
 
 /** Reads the item at once, because its data are not available after the event. */
-function itemFiles(item: DataTransferItem): Promise<Opened[]> {
+function itemFiles(item: DataTransferItem): Promise<OpenedFile[]> {
   const asked = (item as { getAsFileSystemHandle?: () => Promise<Handle | null> }).getAsFileSystemHandle?.();
   const entry = item.webkitGetAsEntry();
   const file = item.getAsFile();
   const alone = file ? [{ name: file.name, file }] : [];
   const readEntry = () => (entry?.isDirectory ? entryFiles(entry, "") : Promise.resolve(alone));
   if (!asked) return readEntry();
-  return asked.then((handle) => (handle ? handleFiles(handle, "") : readEntry())).catch(readEntry);
+  return asked.then((handle) => (handle ? filesOfHandle(handle, "") : readEntry())).catch(readEntry);
 }
 
 /** Opens files that are dropped anywhere on the page. */
@@ -134,15 +134,15 @@ export function acceptDrops(session: Session): void {
     const items = [...(event.dataTransfer?.items ?? [])].filter((item) => item.kind === "file");
     Promise.all(items.map(itemFiles))
       .then((all) => open(all.flat(), session))
-      .catch((fault: unknown) => session.store.set("notice", words.unread(String(fault))));
+      .catch((error: unknown) => session.store.set("notice", words.unread(String(error))));
   });
 }
 
 /** Opens the system's file dialog. */
 export function chooseFiles(session: Session): void {
   openFileDialog(true, (files) => {
-    open(files.map((file) => ({ name: file.name, file })), session).catch((fault: unknown) =>
-      session.store.set("notice", words.unread(String(fault))),
+    open(files.map((file) => ({ name: file.name, file })), session).catch((error: unknown) =>
+      session.store.set("notice", words.unread(String(error))),
     );
   });
 }

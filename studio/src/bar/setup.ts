@@ -3,8 +3,9 @@
 
 import { Debounced } from "../core/debounced";
 import type { Documents } from "../core/documents";
-import { choice, element, offer } from "../core/dom";
-import { dialectOfName, namesOfKind, shortName, type FileKind } from "../core/kinds";
+import { choice, element, setOptions } from "../core/dom";
+import { dialectTitles } from "../core/dialects";
+import { dialectOfName, namesOfKind, shortName, type FileKind } from "../core/file_kinds";
 import { controllerNames } from "../core/controller_override";
 import type { Session } from "../core/session";
 import { MAX_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../core/setup";
@@ -12,8 +13,8 @@ import { texts } from "../texts";
 
 const t = texts.bar;
 
-/** Choice with its update function. */
-interface Choice {
+/** Control of a part of the setup, with its update function. */
+interface SetupControl {
   element: HTMLElement;
   refresh(): void;
 }
@@ -31,7 +32,7 @@ const createLabelled = (label: string, control: HTMLElement): HTMLElement =>
 export type MarkFunction = (name: string) => string;
 
 /** Creates a file choice. `none` is its label without a file; null: a file is required. */
-function fileChoice(label: string, key: FileKind & keyof Setup, none: string | null, session: Session, mark: MarkFunction): Choice {
+function fileChoice(label: string, key: FileKind & keyof Setup, none: string | null, session: Session, mark: MarkFunction): SetupControl {
   const select = choice(label, [], "", (name) => {
     // A program defines its language by its name; settings for the previous program do not apply to it.
     const setup = key === "program" ? { program: name, dialect: dialectOfName(name), robots: "" } : { [key]: name };
@@ -47,34 +48,34 @@ function fileChoice(label: string, key: FileKind & keyof Setup, none: string | n
       const displayed = names.includes(shortName(name)) ? name : shortName(name);
       return [name, `${displayed} ${mark(name)}`.trim()];
     });
-    offer(select, none !== null || !value ? [["", none ?? ""], ...options] : options, value);
+    setOptions(select, none !== null || !value ? [["", none ?? ""], ...options] : options, value);
   };
   return { element: createLabelled(label, select), refresh };
 }
 
-function createDialectChoice(session: Session): Choice {
-  const options: [string, string][] = [["", t.asTheMachineSays], ...Object.entries(texts.run.dialects)];
+function createDialectChoice(session: Session): SetupControl {
+  const options: [string, string][] = [["", t.fromMachineFile], ...Object.entries(dialectTitles)];
   const select = choice(t.language, options, "", (dialect) =>
-    choose(session, t.chosen(t.language, texts.run.dialects[dialect] ?? t.asTheMachineSays), { dialect }),
+    choose(session, t.chosen(t.language, dialectTitles[dialect] ?? t.fromMachineFile), { dialect }),
   );
-  return { element: createLabelled(t.language, select), refresh: () => offer(select, options, session.setup.dialect) };
+  return { element: createLabelled(t.language, select), refresh: () => setOptions(select, options, session.setup.dialect) };
 }
 
 /** Creates the choice of a controller instead of the machine file's: a built-in one, or a file. */
-function createControllerChoice(session: Session): Choice {
+function createControllerChoice(session: Session): SetupControl {
   const select = choice(t.control, [], "", (controller) =>
-    choose(session, t.chosen(t.control, controller ? shortName(controller) : t.asTheMachineSays), { controller }),
+    choose(session, t.chosen(t.control, controller ? shortName(controller) : t.fromMachineFile), { controller }),
   );
   const refresh = () => {
     const { controller } = session.setup;
     const names = controllerNames(session.documents);
     if (controller && !names.includes(controller)) names.push(controller);
-    offer(select, [["", t.asTheMachineSays], ...names.map((name): [string, string] => [name, shortName(name)])], controller);
+    setOptions(select, [["", t.fromMachineFile], ...names.map((name): [string, string] => [name, shortName(name)])], controller);
   };
   return { element: createLabelled(t.control, select), refresh };
 }
 
-function override(key: (typeof overrideKeys)[number], session: Session): Choice {
+function override(key: (typeof overrideKeys)[number], session: Session): SetupControl {
   const label = t.overrides[key];
   const input = element("input", {
     type: "number",
@@ -91,7 +92,7 @@ function override(key: (typeof overrideKeys)[number], session: Session): Choice 
   return { element: createLabelled(label, input), refresh };
 }
 
-function collisions(session: Session): Choice {
+function collisions(session: Session): SetupControl {
   const input = element("input", {
     type: "checkbox",
     onchange: () => choose(session, t.chosen(t.collisions, input.checked ? t.yes : t.no), { collisions: input.checked }),
@@ -147,7 +148,7 @@ export function createChoices(session: Session, mark: MarkFunction): Choices {
     ...overrideKeys.map((key) => override(key, session)),
     collisions(session),
   ];
-  const elements = (choices: Choice[]) => choices.map((each) => each.element);
+  const elements = (choices: SetupControl[]) => choices.map((each) => each.element);
   const summary = element("summary", {});
   const host = element("span", { class: "choices" }, ...elements(main), createMoreSection(summary, ...elements(rareChoices)));
   const refresh = () => {

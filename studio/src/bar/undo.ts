@@ -9,7 +9,7 @@ const t = texts.bar;
 
 // Text fields have an undo of their own; these types have none.
 const boxes = ":is([type=checkbox], [type=radio], [type=range], [type=button])";
-const writes = `input:not(${boxes}), textarea, [contenteditable], .cm-editor`;
+const textInputSelector = `input:not(${boxes}), textarea, [contenteditable], .cm-editor`;
 
 /** Returns which of the two a key requests. */
 function requestedAction(event: KeyboardEvent): "undo" | "redo" | null {
@@ -50,7 +50,7 @@ export function createUndo(store: Store, session: Session): HTMLElement {
   document.addEventListener("keydown", (event) => {
     const way = requestedAction(event);
     // An open dialog concerns data that the page must leave unchanged.
-    if (!way || (event.target as Element).closest?.(writes) || document.querySelector("dialog[open]")) return;
+    if (!way || (event.target as Element).closest?.(textInputSelector) || document.querySelector("dialog[open]")) return;
     event.preventDefault();
     go(way);
   });

@@ -14,7 +14,7 @@ export class AutoRun {
   isEnabled = false;
   /** Computing time of the last run. */
   private duration_s = 0;
-  private began_ms = 0;
+  private start_ms = 0;
   private isPending = false;
   private readonly pause = new Debounced(() => this.run());
 
@@ -24,11 +24,11 @@ export class AutoRun {
     private readonly flush: () => void,
   ) {
     store.on("running", (running, before) => {
-      if (running && !before) this.began_ms = performance.now();
+      if (running && !before) this.start_ms = performance.now();
     });
     store.on("run", () => {
       // A run that was loaded, not computed, has no computing time.
-      if (store.get("running")) this.duration_s = (performance.now() - this.began_ms) / 1000;
+      if (store.get("running")) this.duration_s = (performance.now() - this.start_ms) / 1000;
     });
   }
 

@@ -4,24 +4,24 @@
 
 import type { EditorState, Line, StateCommand } from "@codemirror/state";
 
-const wrapped = /^(\s*)\((.*)\)\s*$/;
+const parenthesizedLine = /^(\s*)\((.*)\)\s*$/;
 
-const isComment = (text: string, isNgc: boolean) => (isNgc ? /^\s*;/.test(text) : isSingleComment(text));
+const isComment = (text: string, semicolonComments: boolean) => (semicolonComments ? /^\s*;/.test(text) : isSingleComment(text));
 
 // "(A) G1 (B)" begins and ends like a comment, but is none.
 function isSingleComment(text: string): boolean {
-  const found = wrapped.exec(text);
+  const found = parenthesizedLine.exec(text);
   return found !== null && !found[2].includes("(") && !found[2].includes(")");
 }
 
-function toComment(text: string, isNgc: boolean): string {
-  if (isNgc) return `; ${text}`;
+function toComment(text: string, semicolonComments: boolean): string {
+  if (semicolonComments) return `; ${text}`;
   return `(${text.replaceAll("(", "{").replaceAll(")", "}")})`;
 }
 
-function toBlock(text: string, isNgc: boolean): string {
-  if (isNgc) return text.replace(/^(\s*); ?/, "$1");
-  const [, indent, inside] = wrapped.exec(text)!;
+function removeComment(text: string, semicolonComments: boolean): string {
+  if (semicolonComments) return text.replace(/^(\s*); ?/, "$1");
+  const [, indent, inside] = parenthesizedLine.exec(text)!;
   return indent + inside.replaceAll("{", "(").replaceAll("}", ")");
 }
 
@@ -42,14 +42,14 @@ function selectedLines(state: EditorState): Line[] {
  * Turns all lines of the selection that are no comments into comments; if all are comments, they become
  * blocks again.
  */
-export function toggleLineComment(isNgc: boolean): StateCommand {
+export function toggleLineComment(semicolonComments: boolean): StateCommand {
   return ({ state, dispatch }) => {
     const lines = selectedLines(state);
     if (state.readOnly || lines.length === 0) return false;
-    const off = lines.every(({ text }) => isComment(text, isNgc));
+    const off = lines.every(({ text }) => isComment(text, semicolonComments));
     const changes = lines
-      .filter(({ text }) => off || !isComment(text, isNgc))
-      .map(({ from, to, text }) => ({ from, to, insert: off ? toBlock(text, isNgc) : toComment(text, isNgc) }));
+      .filter(({ text }) => off || !isComment(text, semicolonComments))
+      .map(({ from, to, text }) => ({ from, to, insert: off ? removeComment(text, semicolonComments) : toComment(text, semicolonComments) }));
     dispatch(state.update({ changes, userEvent: "input.comment" }));
     return true;
   };

@@ -31,7 +31,7 @@ const letterOption = (dialect: Dialect, letter: string, index = 0): Completion =
 
 /** Returns the letters of the codes in the line; without codes, or with axis words alone, all letters. */
 function lettersOfLine(line: string, dialect: Dialect): string[] {
-  const words = parseWords(line, dialect.isNgc);
+  const words = parseWords(line, dialect.properties.semicolonComments);
   const present = new Set(words.map(({ letter }) => letter));
   const codes = words.filter(isCode).flatMap(({ letter, number }) => {
     const code = dialect.codes.get(codeName(letter, number));
@@ -49,7 +49,7 @@ function completeGcode(context: CompletionContext, dialect: Dialect): Completion
   const line = context.state.doc.lineAt(context.pos);
   const before = line.text.slice(0, context.pos - line.from);
   // In a comment, the blanked text ends in blanks but the original text does not.
-  if (before.trimEnd() !== "" && /\s$/.test(withoutComments(before, dialect.isNgc).slice(0, before.trimEnd().length))) {
+  if (before.trimEnd() !== "" && /\s$/.test(withoutComments(before, dialect.properties.semicolonComments).slice(0, before.trimEnd().length))) {
     return null;
   }
   const word = context.matchBefore(/[GM]\d*\.?\d*/i);

@@ -1,14 +1,9 @@
 // Dialect for the editor: its codes and letters by name, and the dialect of a program.
 
-import { dialectOfName } from "../core/kinds";
+import { defaultDialect, dialectOfController, dialectProperties, type DialectProperties } from "../core/dialects";
+import { dialectOfName } from "../core/file_kinds";
 import type { Code, Language } from "../core/languages";
 import type { Session } from "../core/session";
-import { texts } from "../texts";
-
-/** Controllers with programs in RS274/NGC (docs/language.md); capitals, blanks and . - / are ignored. */
-const ngcControllers = new Set(
-  "rs274ngc linuxcnc emc2 machinekit eding fluidnc g2core grbl grblhal mach3 mach4 pathpilot tinyg tormach".split(" "),
-);
 
 /** Groups of codes that act only once, so that none of them stays active. */
 const nonModalGroups = new Set(["program stop", "subprograms", "tool change", "inputs and outputs", "modal state"]);
@@ -27,13 +22,15 @@ export class Dialect {
   readonly initial: readonly string[];
   /** "RS274/NGC" */
   readonly title: string;
+  readonly properties: DialectProperties;
 
   /** `language` is null if the page has no engine: then codes are unknown. */
   constructor(
     readonly name: string,
     language: Language | null,
   ) {
-    this.title = language?.title ?? texts.run.dialects[name] ?? name;
+    this.properties = dialectProperties(name);
+    this.title = language?.title ?? (this.properties.title || name);
     for (const code of language?.codes ?? []) {
       this.codes.set(code.code, code);
       this.functions.set(code.lua, code);
@@ -48,39 +45,30 @@ export class Dialect {
     this.initial = (language?.initial ?? "").split(" ").filter((code) => code !== "");
   }
 
-  get isNgc(): boolean {
-    return this.name === "rs274ngc";
-  }
-
-  /** Returns true if the tables have no such code. M100 to M199 of RS274/NGC are user-defined. */
+  /** Returns true if the tables have no such code, and users do not define it. */
   isUnknown(name: string): boolean {
     if (this.codes.size === 0 || this.codes.has(name)) return false;
-    return !(this.isNgc && /^M1\d\d$/.test(name));
+    return !this.properties.userCodes?.test(name);
   }
-}
-
-function controllerDialect(control: string): string {
-  if (control.toLowerCase() === "klipper") return "klipper";
-  return ngcControllers.has(control.toLowerCase().replace(/[\s.\-/]/g, "")) ? "rs274ngc" : "ab9";
 }
 
 /** Returns the dialect that the setup or its machine file sets; "": neither does. */
 function configuredDialect(session: Session): string {
   const { dialect, machine } = session.setup;
-  if (dialect) return controllerDialect(dialect);
+  if (dialect) return dialectOfController(dialect);
   const said = machine && /^\s*dialect\s*=\s*["']([^"']+)["']/m.exec(session.documents.text(machine));
-  return said ? controllerDialect(said[1]) : "";
+  return said ? dialectOfController(said[1]) : "";
 }
 
 /** Returns the dialect; if it is not set, the program's name decides. */
 export function dialectName(session: Session, program: string): string {
-  return configuredDialect(session) || (dialectOfName(program) || "ab9");
+  return configuredDialect(session) || (dialectOfName(program) || defaultDialect);
 }
 
 /**
  * Returns true if the engine would read the program in another dialect than it appears to be in: without a
- * setting it reads ab9.
+ * setting it reads the default one.
  */
 export function needsDialectSetting(session: Session, program: string): boolean {
-  return configuredDialect(session) === "" && dialectName(session, program) !== "ab9";
+  return configuredDialect(session) === "" && dialectName(session, program) !== defaultDialect;
 }

@@ -45,7 +45,7 @@ export interface Configuration {
 export class Editor {
   readonly view: EditorView;
   private readonly configurationCompartment = new Compartment();
-  private lastHand_ms = -Infinity;
+  private lastInput_ms = -Infinity;
 
   constructor(
     host: HTMLElement,
@@ -53,7 +53,7 @@ export class Editor {
   ) {
     this.view = new EditorView({ parent: host });
     for (const kind of ["wheel", "touchmove", "pointerdown", "keydown"]) {
-      const noted = () => (this.lastHand_ms = performance.now());
+      const noted = () => (this.lastInput_ms = performance.now());
       this.view.scrollDOM.addEventListener(kind, noted, { passive: true });
     }
   }
@@ -78,7 +78,7 @@ export class Editor {
 
   /** Returns the seconds since the user scrolled, pressed or typed here. */
   get untouched_s(): number {
-    return (performance.now() - this.lastHand_ms) / 1000;
+    return (performance.now() - this.lastInput_ms) / 1000;
   }
 
   /** Marks the line that the machine is executing; 0: none. */

@@ -11,7 +11,7 @@ interface Mark {
 const createMark = (text: Text): Mark => ({ text, changes: ChangeSet.empty(text.length).desc });
 
 /** Maps a line's start through a change of the text; 0: the line no longer exists. */
-function carry(line: number, from: Text, changes: ChangeDesc, to: Text): number {
+function mapLine(line: number, from: Text, changes: ChangeDesc, to: Text): number {
   if (line < 1 || line > from.lines) return 0;
   if (changes.empty) return line;
   return to.lineAt(changes.mapPos(from.line(line).from, 1)).number;
@@ -67,19 +67,19 @@ export class EditorFile {
 
   /** Returns a line of the run in the present text; 0: none. */
   fromRunLine(line: number): number {
-    return carry(line, this.ran.text, this.ran.changes, this.doc);
+    return mapLine(line, this.ran.text, this.ran.changes, this.doc);
   }
 
   /** Returns a line of the text as in the run; 0: it is new. */
   toRunLine(line: number): number {
     if (this.ran.changes.empty) return line <= this.doc.lines ? line : 0;
     const back = this.ran.changes.invertedDesc;
-    const old = carry(line, this.doc, back, this.ran.text);
+    const old = mapLine(line, this.doc, back, this.ran.text);
     return this.fromRunLine(old) === line ? old : 0;
   }
 
   /** Returns true if a line of the run has been edited since. */
-  touched(runLine: number): boolean {
+  isEditedSinceRun(runLine: number): boolean {
     if (this.ran.changes.empty || runLine < 1 || runLine > this.ran.text.lines) return false;
     const { from, to } = this.ran.text.line(runLine);
     return this.ran.changes.touchesRange(from, to) !== false;

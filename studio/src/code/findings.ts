@@ -3,7 +3,7 @@
 import type { Diagnostic } from "@codemirror/lint";
 import type { Text } from "@codemirror/state";
 import { element } from "../core/dom";
-import type { Located, Report, Severity } from "../run/report";
+import type { LocatedEntry, Report, Severity } from "../run/report";
 import type { Run } from "../run/run";
 
 export interface Finding {
@@ -25,7 +25,7 @@ const MAX_FINDINGS_PER_LINE = 5;
  * Diagnostic with its words in `text`, as the engine sends it, or in `message`, as in other lists of a run's
  * report.
  */
-type RawFinding = Located & {
+type RawFinding = LocatedEntry & {
   severity?: Severity;
   code?: string;
   column?: number | null;

@@ -28,7 +28,7 @@ function letterTokenType(dialect: Dialect, letter: string): string {
 function comment(stream: StringStream, dialect: Dialect): boolean {
   if (stream.match(/^\([^)]*\)?/)) return true;
   if (stream.peek() !== ";") return false;
-  if (!dialect.isNgc && stream.match(blockAfterSemicolon, false)) return false;
+  if (!dialect.properties.semicolonComments && stream.match(blockAfterSemicolon, false)) return false;
   stream.skipToEnd();
   return true;
 }

@@ -1,7 +1,7 @@
 // Header above the editor: the file, its change mark, the shown part, and Run.
 
 import { check, element } from "../core/dom";
-import { baseName } from "../core/kinds";
+import { baseName } from "../core/file_kinds";
 import { texts } from "../texts";
 
 export type Tab = "source" | "lua" | "both";

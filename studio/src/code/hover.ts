@@ -4,12 +4,12 @@ import { StateEffect, StateField, type Extension } from "@codemirror/state";
 import { closeHoverTooltips, hoverTooltip, keymap, showTooltip, type EditorView, type Tooltip } from "@codemirror/view";
 import { element } from "../core/dom";
 import type { Code } from "../core/languages";
-import { limitText } from "../core/names";
+import { limitText } from "../core/display_names";
 import { shownRobot } from "../core/display_state";
 import type { Store } from "../core/store";
 import { feedText, lengthText, percentText, timeText } from "../core/units";
 import { texts } from "../texts";
-import { blockFacts, hasMissingFacts, type BlockFacts } from "./block_facts";
+import { blockSummary, isSummaryIncomplete, type BlockSummary } from "./block_summary";
 import { codeName, type Dialect } from "./dialect";
 import type { ModalState } from "./modal";
 import { isCode, parseWords } from "./words";
@@ -49,7 +49,7 @@ export function codeCard(code: Code, dialect: Dialect): HTMLElement {
 const said = (title: string, text: string) => element("div", { class: "code-card" }, element("b", {}, title), ` ${text}`);
 
 function gcodeWordCard(line: string, column: number, dialect: Dialect): HTMLElement | null {
-  const word = parseWords(line, dialect.isNgc).find(({ from, to }) => from <= column && column <= to);
+  const word = parseWords(line, dialect.properties.semicolonComments).find(({ from, to }) => from <= column && column <= to);
   if (!word) return null;
   if (isCode(word)) {
     const name = codeName(word.letter, word.number);
@@ -72,17 +72,17 @@ function luaWordCard(line: string, column: number, dialect: Dialect): HTMLElemen
   return null;
 }
 
-function factsCard(facts: BlockFacts, { store }: HoverContext): HTMLElement {
+function summaryCard(summary: BlockSummary, { store }: HoverContext): HTMLElement {
   const units = store.get("units");
-  const share = percentText(facts.time_s, store.get("run")!.end_s);
+  const share = percentText(summary.time_s, store.get("run")!.end_s);
   const card = element("div", { class: "code-card" });
-  const passes = facts.passes > 1 ? ` ${words.passes(facts.passes)}` : "";
-  card.append(element("div", {}, `${words.share(timeText(facts.time_s), share)}${passes}`));
-  if (facts.length_mm > 0) {
-    const length = lengthText(facts.length_mm, units);
-    card.append(element("div", {}, words.way(length, feedText(facts.peak_mm_s, units))));
+  const passes = summary.passes > 1 ? ` ${words.passes(summary.passes)}` : "";
+  card.append(element("div", {}, `${words.share(timeText(summary.time_s), share)}${passes}`));
+  if (summary.length_mm > 0) {
+    const length = lengthText(summary.length_mm, units);
+    card.append(element("div", {}, words.way(length, feedText(summary.peak_mm_s, units))));
   }
-  card.append(element("div", {}, words.limitedBy(limitText(facts.limit))));
+  card.append(element("div", {}, words.limitedBy(limitText(summary.limit))));
   return card;
 }
 
@@ -93,37 +93,37 @@ function modalCard(state: ModalState, dialect: Dialect): HTMLElement {
     list.append(element("span", { title: `${group}: ${meaning}` }, name), " ");
   }
   for (const [letter, value] of state.words) list.append(element("span", {}, letter + value), " ");
-  const title = state.jumps ? words.inForceByText : words.inForce;
+  const title = state.jumps ? words.inForceByText : words.activeAfterLine;
   return element("div", { class: "code-card" }, element("div", { class: "code-dim" }, title), list);
 }
 
 /** Returns the data of a line's block, or the reason why they are missing; null: it has not run. */
-function createFactsCard(context: HoverContext, line: number): HTMLElement | null {
+function createSummaryCard(context: HoverContext, line: number): HTMLElement | null {
   const place = context.runLocation(line);
   const robot = shownRobot(context.store);
   if (!place || !robot) return null;
-  if (hasMissingFacts(robot, place.file, place.line)) return element("div", { class: "code-card code-dim" }, words.notHere);
-  const facts = blockFacts(robot, place.file, place.line);
-  return facts && factsCard(facts, context);
+  if (isSummaryIncomplete(robot, place.file, place.line)) return element("div", { class: "code-card code-dim" }, words.notHere);
+  const summary = blockSummary(robot, place.file, place.line);
+  return summary && summaryCard(summary, context);
 }
 
-async function cards(context: HoverContext, view: EditorView, position: number): Promise<HTMLElement | null> {
+async function createHoverCards(context: HoverContext, view: EditorView, position: number): Promise<HTMLElement | null> {
   const line = view.state.doc.lineAt(position);
   if (line.text.trim() === "") return null;
   const dialect = context.dialect();
   const column = position - line.from;
   const word = context.isLua ? luaWordCard(line.text, column, dialect) : gcodeWordCard(line.text, column, dialect);
-  const facts = createFactsCard(context, line.number);
+  const summary = createSummaryCard(context, line.number);
   const state = await context.modal(line.number);
   const all = element("div", { class: "code-hover" });
   if (word) all.append(word);
-  if (facts) all.append(facts);
+  if (summary) all.append(summary);
   if (state && (state.codes.size > 0 || state.words.size > 0)) all.append(modalCard(state, dialect));
   return all.childElementCount > 0 ? all : null;
 }
 
 async function tooltip(context: HoverContext, view: EditorView, pos: number): Promise<Tooltip | null> {
-  const dom = await cards(context, view, pos);
+  const dom = await createHoverCards(context, view, pos);
   return dom && { pos, above: true, create: () => ({ dom }) };
 }
 

@@ -24,7 +24,7 @@ import { TranslationPane } from "./translation_pane";
 const words = texts.code;
 
 /** Longer programs are translated if the user opens the Lua, not during typing. */
-const LONG_LINES = 200_000;
+const MAX_LIVE_TRANSLATION_LINES = 200_000;
 const TRANSLATION_PAUSE_MS = 500;
 /** Min width for G-code and Lua side by side. */
 const MIN_SPLIT_WIDTH_PX = 560;
@@ -65,25 +65,25 @@ class CodePanel {
     });
     this.status = new Status(
       () => this.source.editor.view,
-      () => this.readAs(this.source.dialect.name),
+      () => this.setDialect(this.source.dialect.name),
     );
     host.append(this.header.dom, element("div", { class: "code-panes" }, this.panes.source, this.panes.lua), this.status.dom);
     this.source = new SourcePane(this.panes.source, store, session, {
-      displayed: () => this.displayed(),
+      onDisplayed: () => this.onDisplayed(),
       onEdit: () => this.onEdit(),
-      chosen: (line) => this.following.choose(line),
-      moved: () => this.showPlace(),
+      onLineSelected: (line) => this.following.choose(line),
+      moved: () => this.showLocation(),
       onDialectChange: () => this.showDialect(),
       run,
       onRunFrom: (line) => this.runFrom(line),
       leave,
     });
     this.translation = new TranslationPane(this.panes.lua, store, session, this.source, {
-      chosen: (line) => this.chosenInLua(line),
+      onLineSelected: (line) => this.onLuaLineSelected(line),
       run,
       leave,
       edit: () => this.editLua(),
-      displayed: () => this.translated(),
+      onDisplayed: () => this.onTranslated(),
     });
     this.following = new LineFollower(store, this.source, this.translation, {
       isEnabled: () => this.tab === "both" && this.showsLua,
@@ -105,17 +105,17 @@ class CodePanel {
 
   private listen(host: HTMLElement): void {
     const { store, session } = this;
-    session.tellInForceBy((file, line) => this.source.inForce(file, line));
+    session.setActiveSettingsQuery((file, line) => this.source.activeSettingsAt(file, line));
     session.on(() => this.setupChanged());
     store.on("running", (running, before) => {
       if (running && !before) this.source.beginRun();
-      this.renewHeader();
+      this.updateHeader();
     });
-    store.on("run", () => this.ranAnew());
-    store.on("textAsked", (place) => {
-      if (place) this.showPlaceAsked(place);
+    store.on("run", () => this.onRunChanged());
+    store.on("requestedLocation", (place) => {
+      if (place) this.showRequestedLocation(place);
     });
-    store.watch(["robot"], () => this.renewHeat());
+    store.watch(["robot"], () => this.updateHeat());
     new ResizeObserver(() => host.classList.toggle("code-wide", host.clientWidth >= MIN_SPLIT_WIDTH_PX)).observe(host);
     host.addEventListener("keydown", (event) => {
       // The text to be saved must be passed on first.
@@ -131,8 +131,8 @@ class CodePanel {
     this.source.show(program);
   }
 
-  private showPlaceAsked({ file, line }: SourceLocation): void {
-    this.store.set("textAsked", null);
+  private showRequestedLocation({ file, line }: SourceLocation): void {
+    this.store.set("requestedLocation", null);
     if (!this.source.has(file)) return;
     this.source.show(file);
     this.showTab("source");
@@ -154,36 +154,36 @@ class CodePanel {
   /** Handles another text, or the same in another dialect. */
   private textChanged(): void {
     this.translation.clear();
-    this.textChecker.displayed();
+    this.textChecker.onDisplayed();
     this.showTab(this.tab);
   }
 
-  private displayed(): void {
+  private onDisplayed(): void {
     this.textChanged();
-    this.renewHeat();
+    this.updateHeat();
     this.following.refresh();
-    this.showPlace();
+    this.showLocation();
   }
 
   private onEdit(): void {
     this.autoRun.onEdit(this.source.isScript);
     this.textChecker.onEdit(this.autoRun.isActive ? CHECK_PAUSE_MS : undefined);
-    this.translation.outdate();
-    const isLong = this.source.sheet.doc.lines > LONG_LINES;
+    this.translation.markStale();
+    const isLong = this.source.editorFile.doc.lines > MAX_LIVE_TRANSLATION_LINES;
     if (this.showsLua && !isLong) this.translationTimer.after(TRANSLATION_PAUSE_MS);
-    this.renewHeader();
+    this.updateHeader();
   }
 
-  private ranAnew(): void {
+  private onRunChanged(): void {
     // A run that existed when the page was opened contains its sources.
     const { program } = this.session.setup;
     const ran = this.store.get("run")?.report?.program ?? "";
     if (!program && ran && this.source.has(ran) && this.source.name !== ran) this.source.show(ran);
     this.source.endRun(this.store.get("running") !== null);
-    this.textChecker.ranAnew();
-    this.renewHeat();
+    this.textChecker.onRunChanged();
+    this.updateHeat();
     this.following.refresh();
-    this.renewHeader();
+    this.updateHeader();
   }
 
   private run(): void {
@@ -195,17 +195,17 @@ class CodePanel {
     if (!this.session.canRun) return;
     this.following.choose(line);
     this.store.set("form", "variants");
-    this.store.set("hereAsked", true);
+    this.store.set("isBlockPanelRequested", true);
   }
 
-  private readAs(dialect: string): void {
+  private setDialect(dialect: string): void {
     this.session.history.edit(words.readingAs(this.source.dialect.title), { setup: { dialect } });
     this.run();
   }
 
   private setAutoRun(isEnabled: boolean): void {
     this.autoRun.isEnabled = isEnabled;
-    if (isEnabled && this.source.sheet.isChangedSinceRun) this.run();
+    if (isEnabled && this.source.editorFile.isChangedSinceRun) this.run();
   }
 
   private get hasTranslation(): boolean {
@@ -221,20 +221,20 @@ class CodePanel {
     this.panes.source.hidden = tab === "lua" && this.hasTranslation;
     this.panes.lua.hidden = !this.showsLua;
     if (this.showsLua) void this.translation.refresh();
-    this.renewHeader();
+    this.updateHeader();
     requestAnimationFrame(() => {
       this.following.reveal();
       this.align();
     });
   }
 
-  private chosenInLua(line: number): void {
+  private onLuaLineSelected(line: number): void {
     this.source.editor.select(line);
     this.following.choose(line);
   }
 
   // The editor must measure its new text first.
-  private translated(): void {
+  private onTranslated(): void {
     this.following.refresh();
     requestAnimationFrame(() => (this.tab === "lua" ? this.following.reveal() : this.align()));
   }
@@ -249,7 +249,7 @@ class CodePanel {
     if (origin) this.session.history.edit(words.toGcode, { setup: { program: origin } });
   }
 
-  private renewHeat(): void {
+  private updateHeat(): void {
     const heat = runHeat(this.store, this.source);
     this.source.editor.view.dispatch({ effects: setHeat.of(heat), annotations: programmaticEdit.of(true) });
     this.status.showTimes(hasMissingTimes(this.store, this.source));
@@ -262,11 +262,11 @@ class CodePanel {
     this.status.showDialect(isScript ? "Lua" : dialect.title, isOffered);
   }
 
-  private showPlace(): void {
+  private showLocation(): void {
     const { state } = this.source.editor.view;
     const { head } = state.selection.main;
     const line = state.doc.lineAt(head);
-    this.status.showPlace(line.number, head - line.from + 1);
+    this.status.showLocation(line.number, head - line.from + 1);
   }
 
   private files(): string[] {
@@ -276,14 +276,14 @@ class CodePanel {
     return [...all].filter((name) => name === this.source.name || (name !== "" && this.source.has(name)));
   }
 
-  private renewHeader(): void {
+  private updateHeader(): void {
     const { source, session } = this;
     const running = this.store.get("running");
     this.header.show({
       name: source.name,
       files: this.files(),
-      isModified: source.sheet.isModified,
-      isChangedSinceRun: source.sheet.isChangedSinceRun,
+      isModified: source.editorFile.isModified,
+      isChangedSinceRun: source.editorFile.isChangedSinceRun,
       readOnly: source.readOnly,
       canRun: session.canRun,
       running: running && (running.total > 0 ? running.done / running.total : NaN),

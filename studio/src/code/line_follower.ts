@@ -14,7 +14,7 @@ import { OFFSET_LINES, type TranslationPane } from "./translation_pane";
 const IDLE_S = 2;
 
 /** G-code and Lua side by side: they scroll together. */
-export interface Split {
+export interface SplitView {
   isEnabled(): boolean;
   /** Scrolls the Lua to the position of the G-code. */
   align(): void;
@@ -29,11 +29,11 @@ export class LineFollower {
     private readonly store: Store,
     private readonly source: SourcePane,
     private readonly translation: TranslationPane,
-    private readonly split: Split,
+    private readonly split: SplitView,
   ) {
     store.on("time_s", () => this.later(!this.isUpdatingSelection));
     store.on("robot", () => this.later(false));
-    store.on("fetched", () => this.later(!this.isUpdatingSelection));
+    store.on("loadCount", () => this.later(!this.isUpdatingSelection));
     store.on("selection", (place) => {
       if (place && !this.isUpdatingSelection) this.go(place);
       this.later(false);
@@ -44,7 +44,7 @@ export class LineFollower {
   choose(line: number): void {
     const { store, source } = this;
     const place = source.runLocation(line);
-    const isNew = source.sheet.toRunLine(line) === 0;
+    const isNew = source.editorFile.toRunLine(line) === 0;
     this.isUpdatingSelection = true;
     store.set("selection", isNew ? null : { file: source.name, line: place?.line ?? line, block: -1 });
     const block = place ? (shownRobot(store)?.blocks.nearest(place.file, place.line, store.get("time_s")) ?? -1) : -1;
@@ -60,7 +60,7 @@ export class LineFollower {
   /** Scrolls to the marked line after the user has opened the other pane. */
   reveal(): void {
     const place = activeLine(this.store);
-    if (place?.file === this.source.name) this.revealLine(this.source.sheet.fromRunLine(place.line));
+    if (place?.file === this.source.name) this.revealLine(this.source.editorFile.fromRunLine(place.line));
   }
 
   private go({ file, line }: SourceLocation): void {
@@ -68,7 +68,7 @@ export class LineFollower {
       if (!this.source.has(file)) return;
       this.source.show(file);
     }
-    const here = this.source.sheet.fromRunLine(line);
+    const here = this.source.editorFile.fromRunLine(line);
     this.source.editor.select(here);
     this.translation.editor.select(here + OFFSET_LINES);
     this.revealLine(here);
@@ -97,7 +97,7 @@ export class LineFollower {
     if (place && place.file !== source.name && maySwitchFile && source.has(place.file)) {
       source.show(place.file);
     }
-    const line = place?.file === source.name ? source.sheet.fromRunLine(place.line) : 0;
+    const line = place?.file === source.name ? source.editorFile.fromRunLine(place.line) : 0;
     mark(source.editor, line);
     mark(translation.editor, line > 0 ? line + OFFSET_LINES : 0);
     if (mayScroll && this.isUserIdle) this.revealLine(line);

@@ -14,7 +14,7 @@ export interface ModalState {
   jumps: boolean;
 }
 
-const STEP = 1000;
+const STATE_INTERVAL_LINES = 1000;
 /** Lines between two pauses that keep the page responsive. */
 const LINES_PER_SLICE = 20_000;
 /** Programs up to so many lines are searched to their end for jumps. */
@@ -25,7 +25,7 @@ const jump = /\bM\s*9[89]\b|\bG\s*6[56]\b|\bGOTO\b|\bWHILE\b|^\s*(?:N\d+\s*)?O\s
 const pause = () => new Promise((go) => setTimeout(go));
 
 export class ModalIndex {
-  /** State before line 1 + STEP * i. */
+  /** State before line 1 + STATE_INTERVAL_LINES * i. */
   private states: ModalState[];
   private hasJumpsInText: boolean | null = null;
 
@@ -35,21 +35,21 @@ export class ModalIndex {
 
   /** Discards states that a change from this line on may have invalidated. */
   changed(line: number): void {
-    this.states.length = Math.min(this.states.length, Math.floor((line - 1) / STEP) + 1);
+    this.states.length = Math.min(this.states.length, Math.floor((line - 1) / STATE_INTERVAL_LINES) + 1);
     this.hasJumpsInText = null;
   }
 
   /** Returns the state when `line` begins, or after it. Null: the text has changed meanwhile. */
   async at(doc: Text, line: number, isStale: () => boolean): Promise<ModalState | null> {
-    const requested = Math.floor(line / STEP);
+    const requested = Math.floor(line / STATE_INTERVAL_LINES);
     while (this.states.length <= requested) {
       const first = this.states.length;
-      this.states.push(this.read(doc, this.states[first - 1], (first - 1) * STEP + 1, first * STEP));
-      if ((first * STEP) % LINES_PER_SLICE !== 0) continue;
+      this.states.push(this.read(doc, this.states[first - 1], (first - 1) * STATE_INTERVAL_LINES + 1, first * STATE_INTERVAL_LINES));
+      if ((first * STATE_INTERVAL_LINES) % LINES_PER_SLICE !== 0) continue;
       await pause();
       if (isStale()) return null;
     }
-    const state = this.read(doc, this.states[requested], requested * STEP + 1, line);
+    const state = this.read(doc, this.states[requested], requested * STATE_INTERVAL_LINES + 1, line);
     if (doc.lines <= MAX_JUMP_SEARCH_LINES) state.jumps = this.hasJumps(doc);
     return state;
   }
@@ -65,7 +65,7 @@ export class ModalIndex {
 
   // The number of the program itself is not a jump.
   private isJump(text: string): boolean {
-    const bare = withoutComments(text, this.dialect.isNgc);
+    const bare = withoutComments(text, this.dialect.properties.semicolonComments);
     return jump.test(bare) && !/^\s*O\s*\d+\s*$/i.test(bare);
   }
 
@@ -91,7 +91,7 @@ export class ModalIndex {
   }
 
   private readLine(state: ModalState, text: string): void {
-    for (const word of parseWords(text, this.dialect.isNgc)) {
+    for (const word of parseWords(text, this.dialect.properties.semicolonComments)) {
       if (isCode(word)) this.applyCode(state, codeName(word.letter, word.number));
       else if ("FST".includes(word.letter)) state.words.set(word.letter, word.number || "[..]");
     }

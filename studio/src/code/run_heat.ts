@@ -28,7 +28,7 @@ export function runHeat(store: Store, source: SourcePane): LineHeat | null {
   const cycle_s = run.end_s;
   return {
     of(line) {
-      const time_s = times_s[source.sheet.toRunLine(line)] ?? 0;
+      const time_s = times_s[source.editorFile.toRunLine(line)] ?? 0;
       if (time_s <= 0) return null;
       const text = texts.code.hover.share(timeText(time_s), percentText(time_s, cycle_s));
       return { share: time_s / slowest_s, text };

@@ -4,10 +4,11 @@ import { isolateHistory, toggleComment } from "@codemirror/commands";
 import { Transaction, type ChangeDesc, type Extension, type Text } from "@codemirror/state";
 import { keymap, type ViewUpdate } from "@codemirror/view";
 import { Debounced } from "../core/debounced";
+import { defaultDialect } from "../core/dialects";
 import { MAX_DOCUMENT_BYTES, UNTITLED } from "../core/documents";
 import type { Change } from "../core/history";
 import type { ActiveSettings } from "../core/active_modals";
-import { baseName, isProgram, isScript } from "../core/kinds";
+import { baseName, isProgram, isScript } from "../core/file_kinds";
 import type { Language } from "../core/languages";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
@@ -36,11 +37,11 @@ function editKind(update: ViewUpdate): string {
 
 export interface SourceEvents {
   /** Another file is shown. */
-  displayed(): void;
+  onDisplayed(): void;
   /** Handles another text, by the user or by another part of the page. */
   onEdit(): void;
   /** Handles the user's cursor on a line. */
-  chosen(line: number): void;
+  onLineSelected(line: number): void;
   /** Handles another dialect, or its loaded tables. */
   onDialectChange(): void;
   /** The cursor is elsewhere. */
@@ -54,14 +55,14 @@ export interface SourceEvents {
 export class SourcePane {
   readonly editor: Editor;
   dialect: Dialect;
-  sheet: EditorFile;
+  editorFile: EditorFile;
   private languages: Language[] = [];
   private modal: ModalIndex;
   private readonly editorFiles = new Map<string, EditorFile>();
-  private readonly putting = new Debounced(() => this.put());
-  private isPutting = false;
+  private readonly storeTimer = new Debounced(() => this.put());
+  private isStoring = false;
   /** What no document has yet. */
-  private typed: { text: Text; kind: string } | null = null;
+  private pendingEdit: { text: Text; kind: string } | null = null;
 
   constructor(
     host: HTMLElement,
@@ -70,9 +71,9 @@ export class SourcePane {
     private readonly events: SourceEvents,
   ) {
     this.editor = new Editor(host, this.editorEvents());
-    this.dialect = new Dialect("ab9", null);
+    this.dialect = new Dialect(defaultDialect, null);
     this.modal = new ModalIndex(this.dialect);
-    this.sheet = this.sheetOf(UNTITLED);
+    this.editorFile = this.editorFileFor(UNTITLED);
     session.documents.on((name) => this.replaced(name));
     session.history.onStep(() => this.flush());
     void session.languages().then((languages) => {
@@ -83,7 +84,7 @@ export class SourcePane {
   }
 
   get name(): string {
-    return this.sheet.name;
+    return this.editorFile.name;
   }
 
   get isScript(): boolean {
@@ -102,7 +103,7 @@ export class SourcePane {
 
   /** Returns true if it runs, but its text is not in the page. */
   get isNotLoaded(): boolean {
-    return this.session.documents.sizeElsewhere(this.name) !== undefined;
+    return this.session.documents.folderFileSize(this.name) !== undefined;
   }
 
   /** Returns true if a text of that name exists. */
@@ -113,11 +114,11 @@ export class SourcePane {
   /** Empty: a new program. */
   show(name: string): void {
     this.flush();
-    this.sheet = this.sheetOf(name || UNTITLED);
-    this.editor.show(this.sheet.state);
+    this.editorFile = this.editorFileFor(name || UNTITLED);
+    this.editor.show(this.editorFile.state);
     this.store.set("document", this.name);
     this.refresh();
-    this.events.displayed();
+    this.events.onDisplayed();
   }
 
   /** Updates the pane after a change of the dialect, or of its tables. */
@@ -131,22 +132,22 @@ export class SourcePane {
 
   /** Passes on the typed text. */
   flush(): void {
-    this.putting.flush();
+    this.storeTimer.flush();
   }
 
   /** Marks the present texts of all files as those of the run that begins, or of the one that has ended. */
   beginRun(): void {
-    for (const sheet of this.editorFiles.values()) sheet.beginRun();
+    for (const editorFile of this.editorFiles.values()) editorFile.beginRun();
   }
 
   endRun(wasBegun: boolean): void {
-    for (const sheet of this.editorFiles.values()) sheet.endRun(wasBegun);
+    for (const editorFile of this.editorFiles.values()) editorFile.endRun(wasBegun);
   }
 
   /** Returns file and line of the shown run for a line of the text; null: it has not run. */
   runLocation(line: number): { file: number; line: number } | null {
     const file = this.store.get("run")?.fileOf(this.store.get("robot"), this.name) ?? -1;
-    const ran = this.sheet.toRunLine(line);
+    const ran = this.editorFile.toRunLine(line);
     return file >= 0 && ran > 0 ? { file, line: ran } : null;
   }
 
@@ -161,23 +162,23 @@ export class SourcePane {
    * Returns the active codes at the start of a line of the shown run; null: its text is not the one shown, or
    * no G-code.
    */
-  async inForce(file: string, runLine: number): Promise<ActiveSettings | null> {
-    const line = file === this.name ? this.sheet.fromRunLine(runLine) : 0;
+  async activeSettingsAt(file: string, runLine: number): Promise<ActiveSettings | null> {
+    const line = file === this.name ? this.editorFile.fromRunLine(runLine) : 0;
     const state = line > 0 ? await this.modalAt(line - 1) : null;
     if (!state) return null;
     const codes = [...state.codes].map(([group, name]) => ({ name, group, meaning: this.dialect.codes.get(name)?.meaning ?? "" }));
     return { codes, words: [...state.words].map(([letter, value]) => letter + value), jumps: state.jumps };
   }
 
-  private sheetOf(name: string): EditorFile {
+  private editorFileFor(name: string): EditorFile {
     const known = this.editorFiles.get(name);
     if (known) return known;
     const { documents } = this.session;
     const isDocument = documents.get(name) !== undefined;
     const text = isDocument ? documents.text(name) : (this.store.get("run")?.sources.get(name) ?? "");
-    const sheet = new EditorFile(name, this.editor.stateOf(text, this.configuration(name)));
-    this.editorFiles.set(name, sheet);
-    return sheet;
+    const editorFile = new EditorFile(name, this.editor.stateOf(text, this.configuration(name)));
+    this.editorFiles.set(name, editorFile);
+    return editorFile;
   }
 
   private isProgramNamed(name: string): boolean {
@@ -185,8 +186,9 @@ export class SourcePane {
   }
 
   private configuration(name: string) {
-    const readOnly = this.sheet !== undefined && this.readOnly;
-    if (this.isProgramNamed(name)) return { language: this.ofProgram(name), readOnly, label: texts.code.editorLabel(name), hint: this.hintOf(name) };
+    const readOnly = this.editorFile !== undefined && this.readOnly;
+    if (this.isProgramNamed(name))
+      return { language: this.programLanguage(name), readOnly, label: texts.code.editorLabel(name), hint: this.hintOf(name) };
     const language = [
       name.toLowerCase().endsWith(".toml") ? tomlLanguage : [],
       keymap.of([{ key: "Mod-/", run: toggleComment, preventDefault: true }]),
@@ -194,10 +196,10 @@ export class SourcePane {
     return { language, readOnly, label: texts.code.textLabel(name), hint: this.hintOf(name) };
   }
 
-  private ofProgram(name: string): Extension {
+  private programLanguage(name: string): Extension {
     const isLua = isScript(name);
     const language = isLua ? luaLanguage(this.dialect) : gcodeLanguage(this.dialect);
-    const toggle = isLua ? toggleComment : toggleLineComment(this.dialect.isNgc);
+    const toggle = isLua ? toggleComment : toggleLineComment(this.dialect.properties.semicolonComments);
     return [
       language,
       completion(this.dialect, isLua),
@@ -216,7 +218,7 @@ export class SourcePane {
   }
 
   private hintOf(name: string): string {
-    const bytes = this.session.documents.sizeElsewhere(name);
+    const bytes = this.session.documents.folderFileSize(name);
     if (bytes === undefined) return texts.code.placeholder;
     return bytes > MAX_DOCUMENT_BYTES ? texts.folder.tooLarge(bytes) : texts.folder.loading;
   }
@@ -227,7 +229,7 @@ export class SourcePane {
       onGutterClick: (line) => {
         this.editor.select(line);
         this.editor.view.focus();
-        if (this.isProgram) this.events.chosen(line);
+        if (this.isProgram) this.events.onLineSelected(line);
       },
       run: () => this.events.run(),
       leave: () => this.events.leave(),
@@ -241,56 +243,56 @@ export class SourcePane {
   }
 
   private onUpdate(update: ViewUpdate): void {
-    this.sheet.state = update.state;
+    this.editorFile.state = update.state;
     if (update.selectionSet || update.docChanged) this.events.moved();
     if (update.transactions.some((transaction) => transaction.annotation(programmaticEdit))) return;
     if (update.docChanged) return this.onEdit(update);
     const { main } = update.state.selection;
     if (!this.isProgram) return;
-    if (update.selectionSet && main.empty) this.events.chosen(update.state.doc.lineAt(main.head).number);
+    if (update.selectionSet && main.empty) this.events.onLineSelected(update.state.doc.lineAt(main.head).number);
   }
 
   private onEdit(update: ViewUpdate): void {
     const kind = editKind(update);
-    if (this.typed && this.typed.kind !== kind) this.flush();
-    this.typed = { text: update.state.doc, kind };
-    this.putting.after(PAUSE_MS);
+    if (this.pendingEdit && this.pendingEdit.kind !== kind) this.flush();
+    this.pendingEdit = { text: update.state.doc, kind };
+    this.storeTimer.after(PAUSE_MS);
     if (update.state.doc.length <= MAX_IMMEDIATE_LENGTH) this.flush();
     this.changed(update.changes.desc);
   }
 
   private changed(changes: ChangeDesc): void {
-    this.sheet.changed(changes);
-    let first = this.sheet.doc.length;
+    this.editorFile.changed(changes);
+    let first = this.editorFile.doc.length;
     changes.iterChangedRanges((_fromA, _toA, from) => (first = Math.min(first, from)));
-    this.modal.changed(this.sheet.doc.lineAt(first).number);
+    this.modal.changed(this.editorFile.doc.lineAt(first).number);
     this.events.onEdit();
   }
 
   private put(): void {
-    if (!this.typed) return;
+    if (!this.pendingEdit) return;
     const { name, session } = this;
-    const { text, kind } = this.typed;
-    this.typed = null;
+    const { text, kind } = this.pendingEdit;
+    this.pendingEdit = null;
     const before: Change = { documents: { [name]: session.documents.own(name) ?? null } };
-    this.isPutting = true;
+    this.isStoring = true;
     session.documents.put(name, text.toString());
-    this.isPutting = false;
-    if (text === this.sheet.doc && !session.documents.isUnsaved(name)) this.sheet.saved();
+    this.isStoring = false;
+    if (text === this.editorFile.doc && !session.documents.isUnsaved(name)) this.editorFile.saved();
     if (session.setup.program === "" && this.isProgram) {
       before.setup = { program: "" };
       session.change({ program: name });
     }
-    session.history.made(texts.code.typed(baseName(name)), before, kind && `${kind} ${name}`);
+    session.history.recordChange(texts.code.typed(baseName(name)), before, kind && `${kind} ${name}`);
   }
 
   // Another part of the page replaced the text, for example by a dropped file or an undo. Unchanged parts
   // stay, and the editor's own undo continues.
   private replaced(name: string): void {
-    if (this.isPutting) return;
+    if (this.isStoring) return;
     if (name === this.session.setup.machine) this.refresh();
-    const sheet = this.editorFiles.get(name);
-    if (!sheet) return;
+    const editorFile = this.editorFiles.get(name);
+    if (!editorFile) return;
     const { documents } = this.session;
     // It may have been saved, or removed, during typing.
     if (name === this.name) this.flush();
@@ -299,20 +301,20 @@ export class SourcePane {
       if (name === this.name) this.show(this.has(name) ? name : this.session.setup.program);
       return;
     }
-    this.rewrite(sheet, documents.text(name));
+    this.rewrite(editorFile, documents.text(name));
     // The text was not in the page before.
-    if (name === this.name && sheet.state.readOnly && !this.readOnly) this.refresh();
-    if (!documents.isUnsaved(name)) sheet.saved();
+    if (name === this.name && editorFile.state.readOnly && !this.readOnly) this.refresh();
+    if (!documents.isUnsaved(name)) editorFile.saved();
     if (name === this.name) this.events.onEdit();
   }
 
-  private rewrite(sheet: EditorFile, text: string): void {
-    const change = textChange(sheet.doc, text);
+  private rewrite(editorFile: EditorFile, text: string): void {
+    const change = textChange(editorFile.doc, text);
     if (!change) return;
-    const transaction = sheet.state.update({ changes: change, annotations: [programmaticEdit.of(true), isolateHistory.of("full")] });
-    if (sheet === this.sheet) this.editor.view.dispatch(transaction);
-    else sheet.state = transaction.state;
-    sheet.changed(transaction.changes.desc);
-    if (sheet === this.sheet) this.modal.changed(sheet.doc.lineAt(change.from).number);
+    const transaction = editorFile.state.update({ changes: change, annotations: [programmaticEdit.of(true), isolateHistory.of("full")] });
+    if (editorFile === this.editorFile) this.editor.view.dispatch(transaction);
+    else editorFile.state = transaction.state;
+    editorFile.changed(transaction.changes.desc);
+    if (editorFile === this.editorFile) this.modal.changed(editorFile.doc.lineAt(change.from).number);
   }
 }

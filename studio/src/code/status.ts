@@ -42,7 +42,7 @@ export class Status {
   }
 
   /** Shows line and column of the cursor, from 1 on. */
-  showPlace(line: number, column: number): void {
+  showLocation(line: number, column: number): void {
     this.place.textContent = words.place(line, column);
   }
 

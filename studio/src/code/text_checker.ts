@@ -10,7 +10,7 @@ import type { SourcePane } from "./source_pane";
 
 const PAUSE_MS = 300;
 /** Longer programs are checked after the user pauses for so long. */
-const LONG_LINES = 200_000;
+const MAX_LIVE_CHECK_LINES = 200_000;
 const LONG_PAUSE_MS = 3000;
 
 export interface Problems {
@@ -24,11 +24,11 @@ export interface Problems {
 
 export class TextChecker {
   private readonly debounced = new Debounced(() => void this.check());
-  private ofText: Finding[] = [];
-  private ofRun: Finding[] = [];
+  private findingsOfText: Finding[] = [];
+  private findingsOfRun: Finding[] = [];
   /** Results for earlier versions are dropped. */
   private version = 0;
-  private isAsking = false;
+  private isRequestPending = false;
 
   /** `answered` is called after the present text has been checked. */
   constructor(
@@ -40,9 +40,9 @@ export class TextChecker {
   ) {}
 
   /** Another text is shown. */
-  displayed(): void {
-    this.ofText = [];
-    this.ranAnew();
+  onDisplayed(): void {
+    this.findingsOfText = [];
+    this.onRunChanged();
     this.scheduleCheck();
   }
 
@@ -50,29 +50,29 @@ export class TextChecker {
     this.scheduleCheck(pause_ms);
   }
 
-  ranAnew(): void {
+  onRunChanged(): void {
     const run = this.store.get("run");
-    this.ofRun = run ? runFindings(run, this.source.name) : [];
+    this.findingsOfRun = run ? runFindings(run, this.source.name) : [];
     this.show();
   }
 
   private scheduleCheck(pause_ms = PAUSE_MS): void {
     ++this.version;
     if (!this.session.canRun) return;
-    this.debounced.after(this.source.sheet.doc.lines > LONG_LINES ? LONG_PAUSE_MS : pause_ms);
+    this.debounced.after(this.source.editorFile.doc.lines > MAX_LIVE_CHECK_LINES ? LONG_PAUSE_MS : pause_ms);
   }
 
   private async check(): Promise<void> {
     // Only one check at a time: the next begins after this one has ended, with the text at that time.
-    if (this.isAsking) return this.debounced.after(PAUSE_MS / 3);
+    if (this.isRequestPending) return this.debounced.after(PAUSE_MS / 3);
     const { version } = this;
     const { name } = this.source;
-    if (this.source.sheet.doc.length === 0) return this.setFindings([], version);
-    this.isAsking = true;
+    if (this.source.editorFile.doc.length === 0) return this.setFindings([], version);
+    this.isRequestPending = true;
     this.source.flush();
     this.tell();
     const told = await (this.source.isProgram ? this.session.check(name) : this.session.checkFile(name));
-    this.isAsking = false;
+    this.isRequestPending = false;
     this.setFindings(
       fileFindings(
         name,
@@ -84,7 +84,7 @@ export class TextChecker {
 
   private setFindings(findings: Finding[], version: number): void {
     if (version !== this.version) return this.tell();
-    this.ofText = findings;
+    this.findingsOfText = findings;
     this.show();
     this.onChecked(findings.some(({ severity }) => severity === "error"));
   }
@@ -93,12 +93,12 @@ export class TextChecker {
    * Adds findings of the run if the line has not been edited since, and the check has not reported them
    * already.
    */
-  private present(): [Finding, number][] {
-    const { sheet } = this.source;
-    const known = new Set(this.ofText.map(({ line, text }) => `${line} ${text}`));
-    const found = this.ofText.map((finding): [Finding, number] => [finding, finding.line]);
-    for (const finding of this.ofRun) {
-      const line = sheet.touched(finding.line) ? 0 : sheet.fromRunLine(finding.line);
+  private currentFindings(): [Finding, number][] {
+    const { editorFile } = this.source;
+    const known = new Set(this.findingsOfText.map(({ line, text }) => `${line} ${text}`));
+    const found = this.findingsOfText.map((finding): [Finding, number] => [finding, finding.line]);
+    for (const finding of this.findingsOfRun) {
+      const line = editorFile.isEditedSinceRun(finding.line) ? 0 : editorFile.fromRunLine(finding.line);
       if (line > 0 && !known.has(`${line} ${finding.text}`)) found.push([finding, line]);
     }
     return found;
@@ -108,7 +108,7 @@ export class TextChecker {
     const { view } = this.source.editor;
     const { doc } = view.state;
     const marks: Diagnostic[] = [];
-    for (const [finding, line] of this.present()) {
+    for (const [finding, line] of this.currentFindings()) {
       if (line <= doc.lines) marks.push(toDiagnostic(doc, finding, line));
     }
     view.dispatch({ ...setDiagnostics(view.state, marks), annotations: programmaticEdit.of(true) });
@@ -116,11 +116,11 @@ export class TextChecker {
   }
 
   private tell(): void {
-    const severities = this.present().map(([{ severity }]) => severity);
+    const severities = this.currentFindings().map(([{ severity }]) => severity);
     this.told({
       errors: severities.filter((severity) => severity === "error").length,
       warnings: severities.filter((severity) => severity === "warning").length,
-      checking: this.isAsking,
+      checking: this.isRequestPending,
       isNotLoaded: this.source.isNotLoaded,
     });
   }

@@ -11,12 +11,12 @@ import type { SourcePane } from "./source_pane";
 
 export interface TranslationEvents {
   /** Handles a chosen line of the G-code. */
-  chosen(line: number): void;
+  onLineSelected(line: number): void;
   run(): void;
   leave(): void;
   edit(): void;
   /** Another translation is shown. */
-  displayed(): void;
+  onDisplayed(): void;
 }
 
 /** Offset of the lines of the G-code in the Lua. */
@@ -65,20 +65,20 @@ export class TranslationPane {
   }
 
   /** Marks the shown translation as one of an earlier text. */
-  outdate(): void {
+  markStale(): void {
     this.isStale = true;
     ++this.asked;
   }
 
   /** Another program is shown. */
   clear(): void {
-    this.outdate();
+    this.markStale();
     this.show("");
   }
 
   /** Requests the translation if the shown one is not of the present text. */
   async refresh(): Promise<void> {
-    if (!this.isStale || this.source.isScript || !this.session.canRun || this.source.isNotLoaded) return this.say();
+    if (!this.isStale || this.source.isScript || !this.session.canRun || this.source.isNotLoaded) return this.showMessage();
     this.isStale = false;
     const asked = ++this.asked;
     this.note.textContent = texts.code.translating;
@@ -86,11 +86,11 @@ export class TranslationPane {
     const script = await this.session.translate(this.source.name);
     if (asked !== this.asked) return;
     if (script !== null) this.show(script);
-    this.say(script === null);
-    this.events.displayed();
+    this.showMessage(script === null);
+    this.events.onDisplayed();
   }
 
-  private say(failed = false): void {
+  private showMessage(failed = false): void {
     const { code } = texts;
     if (!this.session.canRun) this.note.textContent = code.noEngine;
     else if (this.source.isNotLoaded) this.note.textContent = texts.folder.notTranslated;
@@ -100,7 +100,7 @@ export class TranslationPane {
   }
 
   private choose(line: number): void {
-    if (line > HEADER_LINE) this.events.chosen(line - OFFSET_LINES);
+    if (line > HEADER_LINE) this.events.onLineSelected(line - OFFSET_LINES);
   }
 
   private show(script: string): void {

@@ -20,10 +20,10 @@ export const blockAfterSemicolon = /^;\s*[a-z/#]\s*[\d#[]/i;
 const commentPattern = /\([^)]*\)?|;.*/g;
 
 /** Returns the line with blanked comments, so that columns stay. */
-export function withoutComments(line: string, isNgc: boolean): string {
+export function withoutComments(line: string, semicolonComments: boolean): string {
   if (!/[(;]/.test(line)) return line;
   return line.replace(commentPattern, (found) =>
-    found[0] === ";" && !isNgc && blockAfterSemicolon.test(found) ? found : " ".repeat(found.length),
+    found[0] === ";" && !semicolonComments && blockAfterSemicolon.test(found) ? found : " ".repeat(found.length),
   );
 }
 
@@ -32,9 +32,9 @@ const wordPattern = /(AR=|,\s*[CRA]|[A-Z@^$])\s*([+-]?(?:\d+\.?\d*|\.\d+))?/gi;
 /** Names (#<depth>), keywords and functions are not words. */
 const nonWordPattern = /#?<[^>]*>|\[[^\]]*\]|[A-Z_]{2,}(?!=)/gi;
 
-export function parseWords(line: string, isNgc: boolean): Word[] {
+export function parseWords(line: string, semicolonComments: boolean): Word[] {
   const blank = (found: string) => (/^AR$/i.test(found) ? found : " ".repeat(found.length));
-  const text = withoutComments(line, isNgc).replace(nonWordPattern, blank);
+  const text = withoutComments(line, semicolonComments).replace(nonWordPattern, blank);
   const words: Word[] = [];
   for (const found of text.matchAll(wordPattern)) {
     words.push({

@@ -1,7 +1,7 @@
 // Check if the change of a file would change a run.
 
 import type { Run } from "../run/run";
-import type { FileKind } from "./kinds";
+import type { FileKind } from "./file_kinds";
 import type { Setup } from "./setup";
 
 /** Files that no run reads. */

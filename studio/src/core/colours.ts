@@ -1,6 +1,6 @@
 // Colours that people with red-green blindness can distinguish (Okabe and Ito, 2008; viridis for scales).
 
-import type { Held } from "../run/limits";
+import type { LimitOrDwell } from "../run/limits";
 import type { MoveKind } from "../run/kinds";
 
 export const orange = "#e69f00";
@@ -23,7 +23,7 @@ export const kindColours: Record<MoveKind, string> = {
   spline: vermilion,
 };
 
-export const limitColours: Record<Held, string> = {
+export const limitColours: Record<LimitOrDwell, string> = {
   feed: blue,
   path_speed: sky,
   joint_speed: green,

@@ -22,7 +22,7 @@ const isController = (text: string): boolean => /^\s*\[controller\]/m.test(text)
 /** Returns built-in controllers, by name, and files of the user. */
 export function controllerNames(documents: Documents): string[] {
   const builtIn = [...documents.samples.keys()].flatMap((name) => BUILT_IN_CONTROLLER.exec(name)?.[1] ?? []);
-  const own = documents.ownNames().filter((name) => isTomlFile(name) && isController(documents.text(name)));
+  const own = documents.userFileNames().filter((name) => isTomlFile(name) && isController(documents.text(name)));
   return [...builtIn, ...own];
 }
 

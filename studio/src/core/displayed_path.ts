@@ -10,5 +10,5 @@ export interface DisplayedPath {
   file: PathFile;
   walk: PathTraversal;
   /** Reason why the text is no path file; empty: it is one. */
-  fault: string;
+  error: string;
 }

@@ -3,7 +3,7 @@
 import { readText, writeText, type TextFormat } from "./encoding";
 import type { Files } from "./engine";
 import type { FileContent } from "./file_content";
-import { hasProgramName, kindOfFile, type FileKind } from "./kinds";
+import { hasProgramName, kindOfFile, type FileKind } from "./file_kinds";
 
 /** Name of a program that was typed into an empty page. */
 export const UNTITLED = "untitled.nc";
@@ -12,7 +12,7 @@ export const UNTITLED = "untitled.nc";
 export const MAX_DOCUMENT_BYTES = 64_000_000;
 
 /** File as on a disk. */
-interface Kept {
+interface DiskFile {
   content: FileContent;
   /** Text with the editor's line ends. */
   plain: string;
@@ -25,7 +25,7 @@ const DEFAULT_FORMAT: TextFormat = { encoding: "utf-8", hasByteOrderMark: false,
 const plain = (text: string): string => (text.includes("\r") ? text.replaceAll("\r\n", "\n") : text);
 
 /** Returns the file. Programs are texts whatever bytes they have, so that their errors are reported. */
-function toDiskFile(name: string, bytes: Uint8Array): Kept {
+function toDiskFile(name: string, bytes: Uint8Array): DiskFile {
   const { text, textFormat } = readText(bytes);
   if (text.includes("\0") && !hasProgramName(name)) return { content: bytes, plain: "", bytes, textFormat };
   return { content: text, plain: plain(text), bytes, textFormat };
@@ -35,9 +35,9 @@ function toDiskFile(name: string, bytes: Uint8Array): Kept {
 export class Documents {
   private readonly userFiles = new Map<string, FileContent>();
   /** Content that was opened from a disk, or saved there last. */
-  private readonly onDisk = new Map<string, Kept>();
+  private readonly diskFiles = new Map<string, DiskFile>();
   /** Sizes of files in a folder that the engine reads by itself. */
-  private readonly elsewhere = new Map<string, number>();
+  private readonly folderFileSizes = new Map<string, number>();
   private readonly kinds = new Map<string, FileKind>();
   private readonly listeners = new Set<(name: string) => void>();
 
@@ -62,27 +62,27 @@ export class Documents {
    * edited. If it replaces a file of the folder, it is an edit.
    */
   read(name: string, bytes: Uint8Array): FileContent {
-    const kept = toDiskFile(name, bytes);
-    if (!this.elsewhere.has(name)) this.onDisk.set(name, kept);
-    return kept.content;
+    const diskFile = toDiskFile(name, bytes);
+    if (!this.folderFileSizes.has(name)) this.diskFiles.set(name, diskFile);
+    return diskFile.content;
   }
 
   /** Stores a file as it is in the folder. */
-  accept(name: string, bytes: Uint8Array): void {
-    const kept = toDiskFile(name, bytes);
-    this.onDisk.set(name, kept);
-    this.elsewhere.set(name, bytes.length);
-    this.put(name, kept.content);
+  storeFolderFile(name: string, bytes: Uint8Array): void {
+    const diskFile = toDiskFile(name, bytes);
+    this.diskFiles.set(name, diskFile);
+    this.folderFileSizes.set(name, bytes.length);
+    this.put(name, diskFile.content);
   }
 
   /** Records a file in the folder. */
   list(name: string, bytes: number): void {
-    this.elsewhere.set(name, bytes);
+    this.folderFileSizes.set(name, bytes);
   }
 
   /** Removes a file that is no longer in the folder. */
-  unlist(name: string): void {
-    if (this.elsewhere.delete(name)) this.tell(name);
+  removeFolderFile(name: string): void {
+    if (this.folderFileSizes.delete(name)) this.tell(name);
   }
 
   kindOf(name: string): FileKind {
@@ -92,57 +92,57 @@ export class Documents {
   }
 
   /** Returns the size of a file that is in the folder but not in the page; undefined: no such file. */
-  sizeElsewhere(name: string): number | undefined {
-    return this.userFiles.has(name) ? undefined : this.elsewhere.get(name);
+  folderFileSize(name: string): number | undefined {
+    return this.userFiles.has(name) ? undefined : this.folderFileSizes.get(name);
   }
 
   /** Returns true if the file exists: here, among the samples, or in the folder and not read yet. */
   exists(name: string): boolean {
-    return this.get(name) !== undefined || this.elsewhere.has(name);
+    return this.get(name) !== undefined || this.folderFileSizes.has(name);
   }
 
   /** Returns the bytes to save: the opened ones if the text is not edited; else in the same encoding. */
-  toSave(name: string): Uint8Array | undefined {
+  bytesToSave(name: string): Uint8Array | undefined {
     const content = this.get(name);
     if (content === undefined || typeof content !== "string") return content;
-    const disk = this.onDisk.get(name);
+    const disk = this.diskFiles.get(name);
     if (disk && typeof disk.content === "string" && disk.plain === plain(content)) return disk.bytes;
     return writeText(content, disk?.textFormat ?? DEFAULT_FORMAT);
   }
 
   /** Records that this content is on a disk now, in these bytes. */
   saved(name: string, content: FileContent, bytes: Uint8Array): void {
-    const textFormat = this.onDisk.get(name)?.textFormat ?? DEFAULT_FORMAT;
-    this.onDisk.set(name, { content, plain: typeof content === "string" ? plain(content) : "", bytes, textFormat });
+    const textFormat = this.diskFiles.get(name)?.textFormat ?? DEFAULT_FORMAT;
+    this.diskFiles.set(name, { content, plain: typeof content === "string" ? plain(content) : "", bytes, textFormat });
     this.tell(name);
   }
 
   /** Returns the bytes to save, and counts them as saved from now on. */
   save(name: string): Uint8Array | undefined {
     const content = this.get(name);
-    const bytes = this.toSave(name);
+    const bytes = this.bytesToSave(name);
     if (content !== undefined && bytes !== undefined) this.saved(name, content, bytes);
     return bytes;
   }
 
   /** Returns true if new or changed content is on no disk. */
   get unsaved(): boolean {
-    return this.ownNames().some((name) => this.isUnsaved(name));
+    return this.userFileNames().some((name) => this.isUnsaved(name));
   }
 
   /** Returns true if its content is neither on a disk nor a sample's. */
   isUnsaved(name: string): boolean {
     const content = this.userFiles.get(name);
     if (content === undefined) return false;
-    const disk = this.onDisk.get(name);
-    const kept = disk?.content ?? this.samples.get(name) ?? "";
-    if (content === kept) return false;
-    if (typeof content !== "string" || typeof kept !== "string") return true;
-    return plain(content) !== (disk?.plain ?? plain(kept));
+    const disk = this.diskFiles.get(name);
+    const stored = disk?.content ?? this.samples.get(name) ?? "";
+    if (content === stored) return false;
+    if (typeof content !== "string" || typeof stored !== "string") return true;
+    return plain(content) !== (disk?.plain ?? plain(stored));
   }
 
   unsavedNames(): string[] {
-    return this.ownNames().filter((name) => this.isUnsaved(name));
+    return this.userFileNames().filter((name) => this.isUnsaved(name));
   }
 
   /** Stores a file; a sample of that name stays unchanged beneath it. */
@@ -163,18 +163,18 @@ export class Documents {
   }
 
   /** Returns true if the user has opened or changed it. */
-  isOwn(name: string): boolean {
+  isUserFile(name: string): boolean {
     return this.userFiles.has(name);
   }
 
-  ownNames(): string[] {
+  userFileNames(): string[] {
     return [...this.userFiles.keys()];
   }
 
   /** Returns all files for the choices: those the user has opened, the others in the folder, then samples. */
   names(): string[] {
-    const opened = this.ownNames().filter((name) => !this.elsewhere.has(name));
-    return [...new Set([...opened, ...this.elsewhere.keys(), ...this.samples.keys()])];
+    const opened = this.userFileNames().filter((name) => !this.folderFileSizes.has(name));
+    return [...new Set([...opened, ...this.folderFileSizes.keys(), ...this.samples.keys()])];
   }
 
   /** Registers a listener for each file that changes, is saved, or is no longer in the folder. */
@@ -184,7 +184,7 @@ export class Documents {
 
   /** Returns all files that the engine may need and cannot read by itself. */
   files(): Files {
-    const own = [...this.userFiles].filter(([name]) => !this.elsewhere.has(name) || this.isUnsaved(name));
+    const own = [...this.userFiles].filter(([name]) => !this.folderFileSizes.has(name) || this.isUnsaved(name));
     return new Map([...(this.engineHasSamples ? [] : this.samples), ...own]);
   }
 

@@ -55,7 +55,7 @@ export function choice(
 }
 
 /** Replaces the values of a choice, if they differ, and chooses one; the focus stays. */
-export function offer(
+export function setOptions(
   select: HTMLSelectElement,
   options: readonly (readonly [value: string, text: string])[],
   value: string,

@@ -32,8 +32,8 @@ export interface Engine {
   /** null: a run sends its messages once, and complete. */
   readonly runStorage: RunStorage | null;
   /**
-   * Sends a request; `take` receives the engine's messages as they come. `storageKey`: the name under which a
-   * keeper keeps the run; empty: not kept.
+   * Sends a request; `onMessage` receives the engine's messages as they come. `storageKey`: the name under
+   * which `runStorage` stores the run; empty: not stored.
    */
   ask(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void, storageKey?: string): Promise<RequestResult>;
   /** Ends all questions at once. */

@@ -2,7 +2,7 @@
 
 import type { Documents } from "./documents";
 import { element } from "./dom";
-import { baseName } from "./kinds";
+import { baseName } from "./file_kinds";
 
 /** Opens the dialog for one file, or for several. */
 export function openFileDialog(several: boolean, onFiles: (files: File[]) => void): void {
@@ -12,15 +12,15 @@ export function openFileDialog(several: boolean, onFiles: (files: File[]) => voi
 
 /** Gives a document to the user as a file, and marks it as saved. */
 export function saveFile(name: string, documents: Documents): void {
-  give(name, documents.save(name));
+  downloadBytes(name, documents.save(name));
 }
 
 /** Does the same for a document that is stored elsewhere. */
 export function download(name: string, documents: Documents): void {
-  give(name, documents.toSave(name));
+  downloadBytes(name, documents.bytesToSave(name));
 }
 
-function give(name: string, bytes: Uint8Array | undefined): void {
+function downloadBytes(name: string, bytes: Uint8Array | undefined): void {
   if (bytes === undefined) return;
   const url = URL.createObjectURL(new Blob([bytes as BlobPart]));
   element("a", { href: url, download: baseName(name) }).click();

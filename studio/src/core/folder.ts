@@ -6,7 +6,7 @@ import { readText } from "./encoding";
 import { texts } from "../texts";
 import { RejectedRequest, type FolderChange, type FolderFile, type Server } from "./server";
 import type { Session } from "./session";
-import { Turns } from "./turns";
+import { TaskQueues } from "./task_queues";
 
 /**
  * Unsaved: typed here and not written; conflict: another program has written it meanwhile; gone: removed from
@@ -37,7 +37,7 @@ export class Folder {
   isDisconnected = false;
   private readonly files = new Map<string, Entry>();
   /** Serialises writing a file, reading it and handling changes by other programs. */
-  private readonly turns = new Turns();
+  private readonly taskQueues = new TaskQueues();
   private readonly reading = new Set<string>();
   private readonly listeners = new Set<() => void>();
 
@@ -45,26 +45,26 @@ export class Folder {
     private readonly server: Server,
     private readonly session: Session,
   ) {
-    session.on(() => this.readChosen());
-    session.store.watch(["pathFile", "variantsFile"], () => this.readChosen());
+    session.on(() => this.readSelectedFiles());
+    session.store.watch(["pathFile", "variantsFile"], () => this.readSelectedFiles());
     session.documents.on((name) => {
-      if (this.isTakenBack(name)) void this.readAll([name]);
+      if (this.isCreationUndone(name)) void this.readAll([name]);
       this.tell();
     });
   }
 
   /** Reads the names of the files in the folder. */
   async open(): Promise<void> {
-    await this.relist();
+    await this.updateList();
   }
 
   /** Reads all files that are not too large, and follows changes by other programs. */
   async follow(): Promise<void> {
-    void this.readAll(this.namesToBegin());
+    void this.readAll(this.initialFileNames());
     for (;;) {
       const changed = (change: FolderChange) => void this.changed(change);
-      await this.server.follow(() => void this.relist().catch(() => {}), changed);
-      this.setLost(true);
+      await this.server.follow(() => void this.updateList().catch(() => {}), changed);
+      this.setDisconnected(true);
       await pause(RECONNECT_MS);
     }
   }
@@ -92,17 +92,17 @@ export class Folder {
 
   /** Names with a mark. */
   fileMarks(): Map<string, FileMark> {
-    const names = this.session.documents.ownNames();
+    const names = this.session.documents.userFileNames();
     return new Map(names.map((name) => [name, this.markFor(name)] as const).filter(([, mark]) => mark !== ""));
   }
 
   /** Writes a document into the folder, replacing the version from which it comes. */
   save(name: string): Promise<SaveResult> {
-    return this.turns.accept(name, async () => {
+    return this.taskQueues.accept(name, async () => {
       const entry = this.files.get(name);
       // The disk has another version than the page, even if that version could not be read.
       if (entry && entry.tag !== null && entry.base !== entry.tag) return { kind: "conflict" };
-      return this.saveOver(name, entry?.tag ?? null);
+      return this.overwriteFile(name, entry?.tag ?? null);
     });
   }
 
@@ -111,14 +111,14 @@ export class Folder {
     const { documents, history } = this.session;
     history.flushTypedText();
     const content = documents.get(name);
-    const bytes = documents.toSave(name);
+    const bytes = documents.bytesToSave(name);
     if (bytes === undefined) return { kind: "failed", why: texts.folder.noDocument };
     const isTaken = this.has(to) || (to !== name && documents.own(to) !== undefined);
-    const saved = isTaken ? ({ kind: "conflict" } as const) : await this.turns.accept(to, () => this.write(to, bytes, null));
+    const saved = isTaken ? ({ kind: "conflict" } as const) : await this.taskQueues.accept(to, () => this.write(to, bytes, null));
     if (saved.kind === "conflict") return { kind: "failed", why: texts.folder.exists };
     if (saved.kind === "failed") return saved;
     history.flushTypedText();
-    documents.accept(to, bytes);
+    documents.storeFolderFile(to, bytes);
     const chosen = Object.entries(this.session.setup).filter(([, value]) => value === name);
     const setup = Object.fromEntries(chosen.map(([key]) => [key, to]));
     const left: Record<string, null> = this.has(name) ? {} : { [name]: null };
@@ -130,7 +130,7 @@ export class Folder {
   }
 
   /** Returns the conflicting version on the disk; null: it is gone meanwhile. */
-  async theirs(name: string): Promise<{ content: FileContent; bytes: Uint8Array; tag: string } | null> {
+  async readDiskVersion(name: string): Promise<{ content: FileContent; bytes: Uint8Array; tag: string } | null> {
     const read = await this.server.read(name);
     if (!read) return null;
     const isText = typeof this.session.documents.get(name) === "string";
@@ -139,56 +139,56 @@ export class Folder {
 
   /** Overwrites the version on the disk by this page's; undo restores it. */
   keepMine(name: string): Promise<SaveResult> {
-    return this.turns.accept(name, async () => {
+    return this.taskQueues.accept(name, async () => {
       try {
-        const theirs = await this.theirs(name);
-        const saved = await this.saveOver(name, theirs?.tag ?? null);
-        if (saved.kind === "saved" && theirs) this.keepOther(name, theirs.content);
+        const theirs = await this.readDiskVersion(name);
+        const saved = await this.overwriteFile(name, theirs?.tag ?? null);
+        if (saved.kind === "saved" && theirs) this.addUndoStep(name, theirs.content);
         return saved;
-      } catch (fault) {
-        return { kind: "failed", why: errorText(fault) };
+      } catch (error) {
+        return { kind: "failed", why: errorText(error) };
       }
     });
   }
 
   /** Shows the version on the disk instead of this page's, which undo restores. */
-  takeTheirs(name: string): Promise<void> {
-    return this.turns.accept(name, async () => {
+  loadDiskVersion(name: string): Promise<void> {
+    return this.taskQueues.accept(name, async () => {
       try {
-        const theirs = await this.theirs(name);
-        if (theirs) this.putTheirs(name, theirs);
+        const theirs = await this.readDiskVersion(name);
+        if (theirs) this.replaceWithDiskVersion(name, theirs);
         else this.handleRemoval(name);
-      } catch (fault) {
-        this.session.store.set("notice", texts.folder.unread(name, errorText(fault)));
+      } catch (error) {
+        this.session.store.set("notice", texts.folder.unread(name, errorText(error)));
       }
     });
   }
 
-  private putTheirs(name: string, theirs: { bytes: Uint8Array; tag: string }): void {
+  private replaceWithDiskVersion(name: string, theirs: { bytes: Uint8Array; tag: string }): void {
     const { documents, history } = this.session;
     history.flushTypedText();
     const mine = documents.own(name);
-    this.isHere(name, theirs);
-    documents.accept(name, theirs.bytes);
-    history.made(texts.folder.replaced(name), { documents: { [name]: mine ?? null } });
+    this.recordBaseVersion(name, theirs);
+    documents.storeFolderFile(name, theirs.bytes);
+    history.recordChange(texts.folder.replaced(name), { documents: { [name]: mine ?? null } });
     this.session.changed([name]);
     this.tell();
   }
 
   /** Records that the document comes from the folder's version. */
-  private isHere(name: string, { bytes, tag }: { bytes: Uint8Array; tag: string }): void {
+  private recordBaseVersion(name: string, { bytes, tag }: { bytes: Uint8Array; tag: string }): void {
     this.files.set(name, { bytes: bytes.length, tag, base: tag });
   }
 
-  private keepOther(name: string, content: FileContent): void {
-    this.session.history.made(texts.folder.overwritten(name), { documents: { [name]: content } });
+  private addUndoStep(name: string, content: FileContent): void {
+    this.session.history.recordChange(texts.folder.overwritten(name), { documents: { [name]: content } });
   }
 
-  private async saveOver(name: string, tag: string | null): Promise<SaveResult> {
+  private async overwriteFile(name: string, tag: string | null): Promise<SaveResult> {
     const { documents, history } = this.session;
     history.flushTypedText();
     const content = documents.get(name);
-    const bytes = documents.toSave(name);
+    const bytes = documents.bytesToSave(name);
     if (content === undefined || bytes === undefined) return { kind: "failed", why: texts.folder.noDocument };
     const saved = await this.write(name, bytes, tag);
     if (saved.kind !== "saved") return saved;
@@ -206,16 +206,16 @@ export class Folder {
       const base = written.ok ? written.tag : (this.files.get(name)?.base ?? null);
       this.files.set(name, { bytes: bytes.length, tag: written.tag, base });
       return { kind: written.ok ? "saved" : "conflict" };
-    } catch (fault) {
-      return { kind: "failed", why: errorText(fault) };
+    } catch (error) {
+      return { kind: "failed", why: errorText(error) };
     } finally {
       this.tell();
     }
   }
 
-  private async relist(): Promise<void> {
+  private async updateList(): Promise<void> {
     const { files, cut } = await this.server.list();
-    this.setLost(false);
+    this.setDisconnected(false);
     if (cut) this.session.store.set("notice", texts.folder.cut);
     const before = [...this.files.keys()];
     const present = new Set(files.map(({ name }) => name));
@@ -235,15 +235,15 @@ export class Folder {
 
   /** Handles a change by another program, or by this page itself. */
   private changed(change: FolderChange): Promise<void> {
-    return this.turns.accept(change.name, () => this.takeChange(change));
+    return this.taskQueues.accept(change.name, () => this.applyChange(change));
   }
 
-  private async takeChange({ name, tag }: FolderChange): Promise<void> {
+  private async applyChange({ name, tag }: FolderChange): Promise<void> {
     const entry = this.files.get(name);
     if (tag === (entry?.tag ?? null)) return;
     if (tag === null) return this.handleRemoval(name);
     this.files.set(name, { bytes: entry?.bytes ?? 0, tag, base: entry?.base ?? null });
-    if (await this.read(name)) this.tellTaken(name);
+    if (await this.read(name)) this.reportLoadedChange(name);
     this.tell();
   }
 
@@ -251,44 +251,44 @@ export class Folder {
   private handleRemoval(name: string): void {
     const { documents, history, setup } = this.session;
     history.flushTypedText();
-    const isInUse = documents.isUnsaved(name) || (documents.isOwn(name) && Object.values(setup).includes(name));
+    const isInUse = documents.isUnsaved(name) || (documents.isUserFile(name) && Object.values(setup).includes(name));
     const entry = this.files.get(name);
     if (entry && isInUse) entry.tag = null;
     else this.files.delete(name);
-    documents.unlist(name);
+    documents.removeFolderFile(name);
     if (!isInUse) documents.remove(name);
     this.tell();
   }
 
-  private namesToBegin(): string[] {
+  private initialFileNames(): string[] {
     const waiting = [...this.files].filter(([, { base }]) => base === null).sort(([, a], [, b]) => a.bytes - b.bytes);
     let bytes = 0;
     return waiting.filter(([, entry]) => (bytes += entry.bytes) <= MAX_INITIAL_BYTES).slice(0, MAX_INITIAL_FILES).map(([name]) => name);
   }
 
   /** Reads files of the run and of open forms even if they are chosen late. */
-  private readChosen(): void {
+  private readSelectedFiles(): void {
     const { setup, store } = this.session;
     const chosen = [...Object.values(setup), store.get("pathFile"), store.get("variantsFile")];
     void this.readAll(chosen.filter((name) => typeof name === "string"));
   }
 
   /** Returns true for a file that was created and saved here, and then undone: it is still in the folder. */
-  private isTakenBack(name: string): boolean {
-    return this.has(name) && this.files.get(name)!.base !== null && !this.session.documents.isOwn(name);
+  private isCreationUndone(name: string): boolean {
+    return this.has(name) && this.files.get(name)!.base !== null && !this.session.documents.isUserFile(name);
   }
 
-  private isToRead(name: string): boolean {
-    return this.files.get(name)?.base === null || this.isTakenBack(name);
+  private needsReading(name: string): boolean {
+    return this.files.get(name)?.base === null || this.isCreationUndone(name);
   }
 
   /** Reads files if they are not too large and not loaded. */
   async readAll(names: string[]): Promise<void> {
-    const waiting = names.filter((name) => this.isToRead(name) && !this.reading.has(name));
+    const waiting = names.filter((name) => this.needsReading(name) && !this.reading.has(name));
     for (const name of waiting) this.reading.add(name);
     const readPending = async () => {
       for (let name = waiting.shift(); name !== undefined; name = waiting.shift()) {
-        await this.turns.accept(name, () => this.read(name!));
+        await this.taskQueues.accept(name, () => this.read(name!));
         this.reading.delete(name);
       }
     };
@@ -306,36 +306,36 @@ export class Folder {
       if (!read) return false;
       history.flushTypedText();
       const base = this.files.get(name)?.base ?? null;
-      const isSame = equalBytes(read.bytes, documents.toSave(name));
-      const keepsPageVersion = documents.isOwn(name) && (read.tag === base || (documents.isUnsaved(name) && !isSame));
+      const isSame = equalBytes(read.bytes, documents.bytesToSave(name));
+      const keepsPageVersion = documents.isUserFile(name) && (read.tag === base || (documents.isUnsaved(name) && !isSame));
       if (keepsPageVersion) {
         this.files.set(name, { bytes: read.bytes.length, tag: read.tag, base });
         return false;
       }
-      this.isHere(name, read);
+      this.recordBaseVersion(name, read);
       documents.list(name, read.bytes.length);
-      if (isSame && documents.isOwn(name)) documents.saved(name, documents.get(name)!, read.bytes);
+      if (isSame && documents.isUserFile(name)) documents.saved(name, documents.get(name)!, read.bytes);
       else {
         const before = documents.own(name);
-        documents.accept(name, read.bytes);
+        documents.storeFolderFile(name, read.bytes);
         // A separate step, so that undoing an earlier step does not remove it, too.
-        if (before !== undefined) history.made(texts.folder.replaced(name), { documents: { [name]: before } });
+        if (before !== undefined) history.recordChange(texts.folder.replaced(name), { documents: { [name]: before } });
       }
       return !isSame;
-    } catch (fault) {
-      store.set("notice", texts.folder.unread(name, errorText(fault)));
+    } catch (error) {
+      store.set("notice", texts.folder.unread(name, errorText(error)));
       return false;
     }
   }
 
-  private tellTaken(name: string): void {
+  private reportLoadedChange(name: string): void {
     const { session } = this;
     const words = texts.folder;
-    if (session.changed([name])) session.store.set("notice", words.takenAndRun(name));
+    if (session.changed([name])) session.store.set("notice", words.reloadedAndRun(name));
     else if (session.store.get("document") === name) session.store.set("notice", words.taken(name));
   }
 
-  private setLost(isDisconnected: boolean): void {
+  private setDisconnected(isDisconnected: boolean): void {
     if (this.isDisconnected === isDisconnected) return;
     this.isDisconnected = isDisconnected;
     this.tell();
@@ -346,7 +346,7 @@ export class Folder {
   }
 }
 
-const errorText = (fault: unknown): string => (fault instanceof RejectedRequest ? fault.message : texts.folder.noAnswer);
+const errorText = (error: unknown): string => (error instanceof RejectedRequest ? error.message : texts.folder.noAnswer);
 
 const equalBytes = (one: Uint8Array, other: Uint8Array | undefined): boolean =>
   one.length === other?.length && one.every((byte, i) => byte === other[i]);

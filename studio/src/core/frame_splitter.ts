@@ -34,7 +34,7 @@ export class FrameSplitter {
 
   private begin(): void {
     const length = new DataView(this.size.buffer).getUint32(0, true);
-    if (length < MIN_FRAME_BYTES) throw new InvalidMessage(`a message of ${length} bytes is none`);
+    if (length < MIN_FRAME_BYTES) throw new InvalidMessage(`a message of ${length} bytes is not valid`);
     this.frame = new Uint8Array(length);
     this.frame.set(this.size);
   }

@@ -47,9 +47,9 @@ function isSame(one: Required<Change>, other: Required<Change>): boolean {
 
 export class History {
   private readonly done: Step[] = [];
-  private readonly undone: Step[] = [];
+  private readonly undoneSteps: Step[] = [];
   private readonly listeners = new Set<(applied: Change | null) => void>();
-  private readonly keepers = new Set<() => void>();
+  private readonly beforeStepListeners = new Set<() => void>();
 
   constructor(
     private readonly documents: Documents,
@@ -63,7 +63,7 @@ export class History {
   }
 
   get redoLabel(): string {
-    return this.undone.at(-1)?.label ?? "";
+    return this.undoneSteps.at(-1)?.label ?? "";
   }
 
   /**
@@ -81,7 +81,7 @@ export class History {
   }
 
   /** Keeps the state before a change that has been made already, for example by typing. */
-  made(label: string, before: Change, merge = ""): void {
+  recordChange(label: string, before: Change, merge = ""): void {
     const other = whole(before);
     if (isSame(other, this.present(other))) return;
     this.keep(label, other, merge);
@@ -89,11 +89,11 @@ export class History {
   }
 
   undo(): void {
-    this.go(this.done, this.undone);
+    this.go(this.done, this.undoneSteps);
   }
 
   redo(): void {
-    this.go(this.undone, this.done);
+    this.go(this.undoneSteps, this.done);
   }
 
   /**
@@ -106,15 +106,15 @@ export class History {
 
   /** Turns pending typed text into a separate step. */
   flushTypedText(): void {
-    for (const callback of this.keepers) callback();
+    for (const callback of this.beforeStepListeners) callback();
   }
 
   /**
    * Registers a function that is called before each step: it passes typed text that is in no document yet to
-   * made().
+   * recordChange().
    */
   onStep(callback: () => void): void {
-    this.keepers.add(callback);
+    this.beforeStepListeners.add(callback);
   }
 
   private go(from: Step[], to: Step[]): void {
@@ -147,7 +147,7 @@ export class History {
   }
 
   private keep(label: string, other: Required<Change>, merge: string): void {
-    this.undone.length = 0;
+    this.undoneSteps.length = 0;
     const at_ms = Date.now();
     const last = this.done.at(-1);
     if (last && merge && last.merge === merge && at_ms - last.at_ms < MERGE_MS) {
@@ -162,7 +162,7 @@ export class History {
 
   /** Drops the oldest steps if all together are too large; the last one stays. */
   private forget(): void {
-    let characters = [...this.done, ...this.undone].reduce((sum, step) => sum + stepSize(step), 0);
+    let characters = [...this.done, ...this.undoneSteps].reduce((sum, step) => sum + stepSize(step), 0);
     while (characters > this.mostCharacters && this.done.length > 1) characters -= stepSize(this.done.shift()!);
   }
 

@@ -1,6 +1,6 @@
 // Navigation to a position of a run: its instant is shown, its line chosen.
 
-import type { SourceLocation, Located } from "../run/report";
+import type { SourceLocation, LocatedEntry } from "../run/report";
 import { shownRobot } from "./display_state";
 import type { Store } from "./store";
 
@@ -11,7 +11,7 @@ function blockAt(store: Store, { file, line }: SourceLocation, t_s: number): num
 }
 
 /** Shows an instant; null leaves it unchanged. */
-export function goTo(store: Store, { file, line }: Located, t_s: number | null): void {
+export function goTo(store: Store, { file, line }: LocatedEntry, t_s: number | null): void {
   if (t_s !== null) store.set("time_s", t_s);
   if (file === null || line === null) return;
   store.set("selection", { file, line, block: blockAt(store, { file, line }, store.get("time_s")) });
@@ -27,7 +27,7 @@ export function showBlockStart(store: Store, block: number): void {
   store.set("time_s", t_s);
   if (segments.locate(first)) return;
   // The time from vertices is inaccurate by some milliseconds.
-  void segments.need(first).then((isHere) => {
+  void segments.fetchNow(first).then((isHere) => {
     if (isHere && shownRobot(store) === robot && store.get("time_s") === t_s) store.set("time_s", blocks.start_s(block));
   });
 }

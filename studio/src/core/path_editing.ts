@@ -6,13 +6,13 @@ import type { DisplayedPath } from "./displayed_path";
 import type { Session } from "./session";
 import type { Store } from "./store";
 
-const EMPTY_WALK: PathTraversal = { motions: [], before: new Map(), used: new Set(), faults: [] };
+const EMPTY_TRAVERSAL: PathTraversal = { motions: [], before: new Map(), used: new Set(), errors: [] };
 
 /** Returns a text as it is shown. */
 export function toDisplayedPath(name: string, text: string): DisplayedPath {
   const read = readPathFile(text);
-  if (!isPathFile(read)) return { name, text, file: { paths: [] }, walk: EMPTY_WALK, fault: read.text };
-  return { name, text, file: read, walk: traversePath(read), fault: "" };
+  if (!isPathFile(read)) return { name, text, file: { paths: [] }, walk: EMPTY_TRAVERSAL, error: read.text };
+  return { name, text, file: read, walk: traversePath(read), error: "" };
 }
 
 const exists = (file: PathFile, place: TargetId): boolean =>

@@ -55,20 +55,20 @@ async function receive(reader: ReadableStreamDefaultReader<Uint8Array>, signal: 
     while (!result) {
       const { value, done } = await reader.read();
       if (signal.aborted) return cancelled;
-      if (done) return failed(words.cutOff);
+      if (done) return failed(words.incompleteResponse);
       cutter.push(value, onFrame);
     }
     return result;
-  } catch (fault) {
+  } catch (error) {
     void reader.cancel().catch(() => {}); // the remainder of a broken response is not needed
-    throw fault;
+    throw error;
   }
 }
 
 export class RemoteEngine implements Engine {
   readonly available = true;
   readonly runStorage: RunStorage;
-  private aborting = new AbortController();
+  private abortController = new AbortController();
   private last: Promise<unknown> = Promise.resolve();
 
   constructor(
@@ -79,20 +79,20 @@ export class RemoteEngine implements Engine {
   }
 
   ask(request: Record<string, unknown>, files: Files, onMessage: MessageHandler, storageKey = ""): Promise<RequestResult> {
-    const { signal } = this.aborting;
-    const result = this.last.then(() => this.askNow(requestBody(request, files), signal, onMessage, storageKey));
+    const { signal } = this.abortController;
+    const result = this.last.then(() => this.postRequest(requestBody(request, files), signal, onMessage, storageKey));
     this.last = result;
     return result;
   }
 
   /** Cancels the requests: the server ends a request with a closed connection. */
   cancel(): void {
-    this.aborting.abort();
-    this.aborting = new AbortController();
+    this.abortController.abort();
+    this.abortController = new AbortController();
     this.last = Promise.resolve();
   }
 
-  private async askNow(body: string, signal: AbortSignal, onMessage: MessageHandler, storageKey: string): Promise<RequestResult> {
+  private async postRequest(body: string, signal: AbortSignal, onMessage: MessageHandler, storageKey: string): Promise<RequestResult> {
     if (signal.aborted) return cancelled;
     const kept: Record<string, string> = storageKey ? { Run: storageKey, Whole: String(this.wholeSegments) } : {};
     try {
@@ -105,9 +105,9 @@ export class RemoteEngine implements Engine {
       if (response.status === INSUFFICIENT_STORAGE) return failed(await errorMessage(response), "no-room");
       if (!response.ok || !response.body) return failed(await errorMessage(response));
       return await receive(response.body.getReader(), signal, onMessage);
-    } catch (fault) {
+    } catch (error) {
       if (signal.aborted) return cancelled;
-      return failed(fault instanceof TypeError ? words.noAnswer : String(fault));
+      return failed(error instanceof TypeError ? words.noAnswer : String(error));
     }
   }
 }

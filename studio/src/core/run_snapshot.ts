@@ -23,14 +23,14 @@ export interface Origin {
 }
 
 export function createSnapshot(setup: Readonly<Setup>, documents: Documents, versions: Versions = new Map()): Origin {
-  const own = new Map(documents.ownNames().map((name) => [name, documents.get(name)!]));
+  const own = new Map(documents.userFileNames().map((name) => [name, documents.get(name)!]));
   const names = [setup.program, ...own.keys()].filter((name) => typeof documents.get(name) === "string");
   return { setup: { ...setup }, own, versions, texts: new Map(names.map((name) => [name, documents.text(name)])) };
 }
 
 /** Returns documents that the run would read differently today, by name. */
 export function changedSince(run: Run, { setup, own, versions }: Origin, documents: Documents, now: Versions = new Map()): string[] {
-  const names = new Set([...own.keys(), ...documents.ownNames(), ...versions.keys(), ...now.keys()]);
+  const names = new Set([...own.keys(), ...documents.userFileNames(), ...versions.keys(), ...now.keys()]);
   const isSame = (name: string) => {
     // The file was read from the folder, so a text loaded since then is no change.
     if (!own.has(name) && versions.has(name)) return versions.get(name) === now.get(name) && !documents.isUnsaved(name);

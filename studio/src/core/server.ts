@@ -41,7 +41,7 @@ interface Changes {
 
 const POLL_MS = 500;
 /** Time without a response after which the server counts as gone. */
-const SILENCE_MS = 20_000;
+const RESPONSE_TIMEOUT_MS = 20_000;
 
 const pause = (ms: number) => new Promise((go) => setTimeout(go, ms));
 
@@ -120,7 +120,7 @@ export class Server {
   /** null: it refuses. */
   private async changesSince(at: number | null): Promise<Changes | null> {
     const address = this.address(at === null ? "changes" : `changes?since=${at}`);
-    const response = await fetch(address, { cache: "no-store", signal: AbortSignal.timeout(SILENCE_MS) });
+    const response = await fetch(address, { cache: "no-store", signal: AbortSignal.timeout(RESPONSE_TIMEOUT_MS) });
     return response.ok ? ((await response.json()) as Changes) : null;
   }
 

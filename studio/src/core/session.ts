@@ -6,10 +6,10 @@ import type { Documents } from "./documents";
 import type { FileContent } from "./file_content";
 import type { RequestResult, Engine, Files, RunStorage } from "./engine";
 import { responseDiagnostics } from "./response_diagnostics";
-import { isScript, kindOfFile, type FileKind } from "./kinds";
+import { isScript, kindOfFile, type FileKind } from "./file_kinds";
 import { Debounced } from "./debounced";
 import { saveFile } from "./files";
-import { GrowingRun } from "./growing_run";
+import { PartialRun } from "./partial_run";
 import { History } from "./history";
 import type { Language } from "./languages";
 import type { Message } from "./message";
@@ -33,7 +33,7 @@ const isComparable = ({ report }: Run): boolean => report?.status === "completed
 const readProgress = ({ header }: Message): Running => ({ done: header.done as number, total: header.total as number });
 
 /** Sets the error of a run that could not be made; an earlier error of the engine stays. */
-function refused(run: Run, message: string, code = "refused"): Run {
+function withRunError(run: Run, message: string, code = "refused"): Run {
   run.error ??= { code, message };
   return run;
 }
@@ -49,15 +49,15 @@ export class Session {
     if (this.current.program) void this.begin();
   });
   private current = emptySetup();
-  private readonly growing: GrowingRun;
+  private readonly partialRun: PartialRun;
   private readonly snapshots = new WeakMap<Run, Origin>();
   /** Counts runs that were begun or ended, so that an outdated run notices it. */
   private turn = 0;
-  private isAsking = false;
+  private isRequestPending = false;
   /** True if a comparison run ended the page's own run, which is then run again after it. */
-  private isOwed = false;
+  private isRerunDue = false;
   private known: Promise<Language[]> | null = null;
-  private teller: QueryActiveModals = () => Promise.resolve(null);
+  private activeSettingsQuery: QueryActiveModals = () => Promise.resolve(null);
   private versions: () => Versions = () => new Map();
   private saver = async (name: string): Promise<void> => saveFile(name, this.documents);
 
@@ -68,7 +68,7 @@ export class Session {
     private readonly runner: Engine,
     private readonly checker: Engine,
   ) {
-    this.growing = new GrowingRun(store);
+    this.partialRun = new PartialRun(store);
     this.history = new History(documents, this);
     this.history.on((applied) => {
       if (!applied) return;
@@ -121,23 +121,23 @@ export class Session {
   }
 
   /** Sets another function that saves documents. */
-  saveBy(saver: (name: string) => Promise<void>): void {
+  setSaver(saver: (name: string) => Promise<void>): void {
     this.saver = saver;
   }
 
   /** Sets the function by which the folder, if any, reports the versions of its files. */
-  versionsBy(versions: () => Versions): void {
+  setVersionSource(versions: () => Versions): void {
     this.versions = versions;
   }
 
   /** Returns the modal state at the start of a line, or null if it is not known. */
-  inForce(file: string, line: number): Promise<ActiveSettings | null> {
-    return this.teller(file, line);
+  activeSettingsAt(file: string, line: number): Promise<ActiveSettings | null> {
+    return this.activeSettingsQuery(file, line);
   }
 
   /** Sets the source of the modal state: the part of the page that knows the texts. */
-  tellInForceBy(teller: QueryActiveModals): void {
-    this.teller = teller;
+  setActiveSettingsQuery(activeSettingsQuery: QueryActiveModals): void {
+    this.activeSettingsQuery = activeSettingsQuery;
   }
 
   /** Runs again if these documents change the run; returns true if they do. */
@@ -162,17 +162,17 @@ export class Session {
   // A run that starts by itself keeps the notice of the page.
   private async begin(runStorage = this.runner.runStorage): Promise<void> {
     this.end();
-    this.isOwed = false;
+    this.isRerunDue = false;
     const { store, current } = this;
     store.set("running", { done: 0, total: 0 });
     const told = (run: Run, message: Message) => {
       if (message.is === "progress") store.set("running", readProgress(message));
-      else if (message.is === "segments") this.growing.show(run);
+      else if (message.is === "segments") this.partialRun.show(run);
     };
     const run = await this.execute(current, told, runStorage);
     if (!run) return;
     if (run.error?.code === "no-room") {
-      store.set("notice", texts.folder.notKept(run.error.message));
+      store.set("notice", texts.folder.notStored(run.error.message));
       return this.begin(null);
     }
     // Listeners to a run that was begun here can distinguish it from an earlier run.
@@ -186,8 +186,8 @@ export class Session {
    * null if another run or cancelRun() has ended it. A run of the page's own that was due or in progress
    * follows after it, or after those that follow it at once.
    */
-  async runBeside(setup: Readonly<Setup>, progress: (running: Running) => void): Promise<Run | null> {
-    this.putOff();
+  async runComparison(setup: Readonly<Setup>, progress: (running: Running) => void): Promise<Run | null> {
+    this.postponeRun();
     const running = this.execute(setup, (_, message) => {
       if (message.is === "progress") progress(readProgress(message));
     });
@@ -195,19 +195,19 @@ export class Session {
     try {
       return await running;
     } finally {
-      if (turn === this.turn) this.runOwed();
+      if (turn === this.turn) this.runPostponed();
     }
   }
 
   /** Ends the current run; a run of the page's own is made later. */
-  private putOff(): void {
-    this.isOwed ||= this.rerunTimer.isDue || this.store.get("running") !== null;
+  private postponeRun(): void {
+    this.isRerunDue ||= this.rerunTimer.isDue || this.store.get("running") !== null;
     this.end();
   }
 
-  private runOwed(): void {
-    if (this.isOwed) this.runSoon();
-    this.isOwed = false;
+  private runPostponed(): void {
+    if (this.isRerunDue) this.runSoon();
+    this.isRerunDue = false;
   }
 
   /**
@@ -224,7 +224,7 @@ export class Session {
     return this.snapshots.get(run);
   }
 
-  /** Executes a run. With a keeper the run may be too long for the page; without one it is complete. */
+  /** Executes a run. With `runStorage` the run may be too long for the page; without it the run is complete. */
   private async execute(
     setup: Readonly<Setup>,
     told: (run: Run, message: Message) => void,
@@ -232,13 +232,13 @@ export class Session {
   ): Promise<Run | null> {
     const turn = ++this.turn;
     const origin = createSnapshot(setup, this.documents, this.versions());
-    const run = runStorage ? this.growing.begin(origin.texts, runStorage) : new Run(origin.texts);
+    const run = runStorage ? this.partialRun.begin(origin.texts, runStorage) : new Run(origin.texts);
     this.snapshots.set(run, origin);
     let files = this.documents.files();
     if (setup.controller) {
       const other = await overrideController(setup, (request) => this.sendRequest(request));
       if (turn !== this.turn) return null;
-      if ("refusal" in other) return refused(run, other.refusal);
+      if ("refusal" in other) return withRunError(run, other.refusal);
       files = new Map([...files, [other.machine, other.text]]);
     }
     const { robots, collisions, feed_override_percent, rapid_override_percent, spindle_override_percent } = setup;
@@ -249,15 +249,15 @@ export class Session {
       explain: true,
       blocks: runStorage?.blocks ?? MAX_BLOCKS,
     };
-    this.isAsking = true;
+    this.isRequestPending = true;
     const addMessage = (message: Message) => {
       if (message.is !== "progress") run.addMessage(message);
       told(run, message);
     };
     const response = await this.runner.ask(request, files, addMessage, run.storageKey);
-    if (turn === this.turn) this.isAsking = false;
+    if (turn === this.turn) this.isRequestPending = false;
     if (response.code === "cancelled") return null;
-    return response.ok ? run : refused(run, response.message, response.code);
+    return response.ok ? run : withRunError(run, response.message, response.code);
   }
 
   private show(run: Run): void {
@@ -271,7 +271,7 @@ export class Session {
   private put(run: Run, goesOn: boolean): void {
     this.store.set("playing", false);
     this.store.set("run", run);
-    this.growing.end();
+    this.partialRun.end();
     this.store.set("time_s", goesOn ? Math.min(this.store.get("time_s"), run.end_s) : 0);
   }
 
@@ -285,7 +285,7 @@ export class Session {
     if (this.store.get("running")) this.end();
     this.history.edit(label, { setup: origin.setup });
     this.rerunTimer.cancel();
-    this.isOwed = false;
+    this.isRerunDue = false;
     const before = this.store.get("run");
     if (run !== before) this.put(run, before?.report?.program === run.report?.program);
   }
@@ -298,16 +298,16 @@ export class Session {
 
   /** Ends a comparison run. */
   cancelRun(): void {
-    this.putOff();
-    this.runOwed();
+    this.postponeRun();
+    this.runPostponed();
   }
 
   private end(): void {
     this.rerunTimer.cancel();
     ++this.turn;
-    if (this.isAsking) this.runner.cancel();
-    this.isAsking = false;
-    this.growing.end();
+    if (this.isRequestPending) this.runner.cancel();
+    this.isRequestPending = false;
+    this.partialRun.end();
     this.store.set("running", null);
   }
 

@@ -42,11 +42,11 @@ export interface State {
   run: Run | null;
   previous: Run | null;
   /** Comparison run; null: the view shows a single run. */
-  beside: ComparisonRun | null;
+  comparisonRun: ComparisonRun | null;
   /** Run of many segments in progress: the part received so far, and its number of segments. */
-  growing: { run: Run; count: number } | null;
+  partialRun: { run: Run; count: number } | null;
   /** Counter that increases when more of the shown run is loaded. */
-  fetched: number;
+  loadCount: number;
   /** Run in progress; null: none. */
   running: Running | null;
   /** Shown instant, in seconds of the run. */
@@ -82,12 +82,12 @@ export interface State {
   /** Name of the file of variants that is edited; empty: none. */
   variantsFile: string;
   /** True if that form is requested to show its data of the selected line. */
-  hereAsked: boolean;
+  isBlockPanelRequested: boolean;
   /** Name of a requested form, and a drawing to make a path from; empty: none. */
   form: string;
   drawing: string;
   /** Source location that the code is requested to show, in any kind of text; null: none. */
-  textAsked: SourceLocation | null;
+  requestedLocation: SourceLocation | null;
   /** Body that was clicked on in the view; null: none. */
   body: string | null;
   /** Handle in the view; null: none. */
@@ -133,9 +133,9 @@ export class Store {
 export const initialState = (): State => ({
   run: null,
   previous: null,
-  beside: null,
-  growing: null,
-  fetched: 0,
+  comparisonRun: null,
+  partialRun: null,
+  loadCount: 0,
   running: null,
   time_s: 0,
   playing: false,
@@ -160,10 +160,10 @@ export const initialState = (): State => ({
   showPath: false,
   jog: null,
   variantsFile: "",
-  hereAsked: false,
+  isBlockPanelRequested: false,
   form: "",
   drawing: "",
-  textAsked: null,
+  requestedLocation: null,
   body: null,
   handle: null,
   notice: "",

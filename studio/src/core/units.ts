@@ -46,19 +46,19 @@ function clockParts(t_s: number, digits: number): [hours: number, minutes: numbe
   return [Math.floor(total_s / 3600), Math.floor(total_s / 60) % 60, total_s % 60, fraction];
 }
 
-const two = (value: number): string => String(value).padStart(2, "0");
+const twoDigits = (value: number): string => String(value).padStart(2, "0");
 
 /** "1:02:03.4", "2.345 s" */
 export function timeText(t_s: number, digits = 3): string {
   const [hours, minutes, seconds, fraction] = clockParts(t_s, digits);
-  if (hours > 0) return `${hours}:${two(minutes)}:${two(seconds)}${fraction}`;
-  return minutes > 0 ? `${minutes}:${two(seconds)}${fraction}` : `${seconds}${fraction} s`;
+  if (hours > 0) return `${hours}:${twoDigits(minutes)}:${twoDigits(seconds)}${fraction}`;
+  return minutes > 0 ? `${minutes}:${twoDigits(seconds)}${fraction}` : `${seconds}${fraction} s`;
 }
 
 /** "0:01:23.456" */
 export function clockText(t_s: number): string {
   const [hours, minutes, seconds, fraction] = clockParts(t_s, 3);
-  return `${hours}:${two(minutes)}:${two(seconds)}${fraction}`;
+  return `${hours}:${twoDigits(minutes)}:${twoDigits(seconds)}${fraction}`;
 }
 
 /** Returns "1,234", "12.3", "0.0567": an integer, or three digits, for values that are shown with a unit. */

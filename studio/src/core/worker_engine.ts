@@ -67,8 +67,8 @@ export class WorkerEngine implements Engine {
     let message: Message;
     try {
       message = readMessage(bytes);
-    } catch (fault) {
-      return this.fail(String(fault));
+    } catch (error) {
+      return this.fail(String(error));
     }
     pendingRequest.onMessage(message);
     const response = readResult(message);

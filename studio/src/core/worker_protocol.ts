@@ -1,7 +1,7 @@
 // Messages between page and worker. Each request has a number, which all parts of its response carry.
 
 /** First message: the engine, compiled once and shared by all workers. */
-export interface Start {
+export interface StartMessage {
   kind: "start";
   module: WebAssembly.Module;
 }
@@ -14,7 +14,7 @@ export interface EngineRequest {
   files: Map<string, string | Uint8Array>;
 }
 
-export type ToWorker = Start | EngineRequest;
+export type ToWorker = StartMessage | EngineRequest;
 
 /** Frame of the engine; the frames of a request end with "done" or "failed". */
 export interface FromWorker {

@@ -32,11 +32,11 @@ export function createPanels(host: HTMLElement, store: Store, session: Session):
     const next = forms[name];
     if (last && last !== next) {
       scrollPositions_px.set(last, host.scrollTop);
-      last.hidden?.();
+      last.onHidden?.();
       host.scrollTop = scrollPositions_px.get(next) ?? 0;
     }
     last = next;
-    last.displayed?.();
+    last.onDisplayed?.();
   });
   tabs.bar.classList.add("side-bar");
   store.on("form", (name) => {

@@ -24,7 +24,7 @@ export class Blocks {
   private lastFile = -1;
   private lastLine = -1;
   /** Segments that the table has. */
-  private tabledSegments = 0;
+  private segmentsInTable = 0;
 
   constructor(private readonly segments: Segments) {}
 
@@ -41,7 +41,7 @@ export class Blocks {
       this.firstSegments.push(chunk.first + i);
     }
     this.byLine = null;
-    this.tabledSegments = chunk.first + chunk.count;
+    this.segmentsInTable = chunk.first + chunk.count;
   }
 
   get(block: number): Block {
@@ -52,12 +52,12 @@ export class Blocks {
 
   /** The block of a segment. */
   of(segment: number): number {
-    if (segment < this.tabledSegments) return lastIndex(this.tabled, (block) => this.firstSegments.at(block) <= segment);
+    if (segment < this.segmentsInTable) return lastIndex(this.tabled, (block) => this.firstSegments.at(block) <= segment);
     return this.parseNumber(this.about(segment)[0]);
   }
 
   private parseNumber(first: number): number {
-    return this.tabled + first - this.tabledSegments;
+    return this.tabled + first - this.segmentsInTable;
   }
 
   /** Returns the range of a block after the table: its first segment, and the one after its last. */
@@ -69,20 +69,20 @@ export class Blocks {
       return own.file === line.file && own.line === line.line;
     };
     let [begin, end] = segments.sectionOf(segment).blockAround(segment);
-    while (begin > this.tabledSegments && isOf(begin - 1)) [begin] = segments.sectionOf(begin - 1).blockAround(begin - 1);
+    while (begin > this.segmentsInTable && isOf(begin - 1)) [begin] = segments.sectionOf(begin - 1).blockAround(begin - 1);
     while (end < segments.count && isOf(end)) [, end] = segments.sectionOf(end).blockAround(end);
     return [begin, end];
   }
 
   /** Its first segment. */
   first(block: number): number {
-    return block < this.tabled ? this.firstSegments.at(block) : this.tabledSegments + block - this.tabled;
+    return block < this.tabled ? this.firstSegments.at(block) : this.segmentsInTable + block - this.tabled;
   }
 
   /** Returns the segment after its last. */
   end(block: number): number {
     if (block >= this.tabled) return this.about(this.first(block))[1];
-    return block + 1 < this.tabled ? this.firstSegments.at(block + 1) : this.tabledSegments;
+    return block + 1 < this.tabled ? this.firstSegments.at(block + 1) : this.segmentsInTable;
   }
 
   /** Returns the next block; -1: it is the last. */
@@ -105,7 +105,7 @@ export class Blocks {
   }
 
   /** Returns the blocks in the table that come from a line, in the order of time. */
-  ofLine(file: number, line: number): Uint32Array {
+  blocksOfLine(file: number, line: number): Uint32Array {
     this.byLine ??= this.sortByLine();
     return this.byLine.get(file)?.of(line) ?? new Uint32Array();
   }
@@ -138,7 +138,7 @@ export class Blocks {
 
   /** Returns the first block that comes from a line; -1: it moves nothing. */
   firstOf(file: number, line: number): number {
-    return this.ofLine(file, line)[0] ?? (this.behindTable({ file, line }).next().value as number | undefined) ?? -1;
+    return this.blocksOfLine(file, line)[0] ?? (this.behindTable({ file, line }).next().value as number | undefined) ?? -1;
   }
 
   /**
@@ -146,7 +146,7 @@ export class Blocks {
    * nothing.
    */
   nearest(file: number, line: number, t_s: number): number {
-    const found = [this.nearestInTable(file, line, t_s), ...this.nearBehindTable({ file, line }, t_s)].filter((block) => block >= 0);
+    const found = [this.nearestInTable(file, line, t_s), ...this.nearBlocksAfterTable({ file, line }, t_s)].filter((block) => block >= 0);
     const timeDistance_s = (block: number) => {
       const start_s = this.start_s(block);
       return t_s >= start_s && t_s <= this.end_s(block) ? -1 : Math.abs(t_s - start_s);
@@ -155,7 +155,7 @@ export class Blocks {
   }
 
   private nearestInTable(file: number, line: number, t_s: number): number {
-    const blocks = this.ofLine(file, line);
+    const blocks = this.blocksOfLine(file, line);
     if (blocks.length === 0) return -1;
     const before = lastIndex(blocks.length, (i) => this.start_s(blocks[i]) <= t_s + SAME_TIME_S);
     const here = blocks[Math.max(before, 0)];
@@ -165,7 +165,7 @@ export class Blocks {
   }
 
   /** Returns the blocks in the nearest stretches on both sides that contain the line. */
-  private nearBehindTable(line: Line, t_s: number): number[] {
+  private nearBlocksAfterTable(line: Line, t_s: number): number[] {
     const { sections, chunks } = this.segments;
     const here = Math.max(lastIndex(sections.length, (i) => sections[i].start_s <= t_s), chunks.length);
     const blocksOfSection = (i: number) => [...new Set([...(sections[i]?.segmentsOf(line) ?? [])].map((segment) => this.of(segment)))];

@@ -67,9 +67,9 @@ export class Chain {
   }
 
   /** Returns all poses for `joints` in mm and rad, at a time of the run. */
-  places(joints: ArrayLike<number>, t_s: number): LinkPoses {
+  linkPoses(joints: ArrayLike<number>, t_s: number): LinkPoses {
     const count = this.scene.axes.length;
-    const places: LinkPoses = {
+    const linkPoses: LinkPoses = {
       links: Array.from({ length: count + 1 }, () => this.world.clone()),
       joints: Array.from({ length: count }, () => new Matrix4()),
       tool: new Matrix4(),
@@ -77,11 +77,11 @@ export class Chain {
       frames: [],
     };
     const shift = this.shiftOfBase(t_s);
-    places.tool = follow(this.toolSide, joints, shift, places);
+    linkPoses.tool = follow(this.toolSide, joints, shift, linkPoses);
     const carriesWork = this.workSide.links.length > 0;
-    places.work = follow(this.workSide, joints, carriesWork ? shift : null, places);
-    this.placeFrames(places, t_s);
-    return places;
+    linkPoses.work = follow(this.workSide, joints, carriesWork ? shift : null, linkPoses);
+    this.computeFramePoses(linkPoses, t_s);
+    return linkPoses;
   }
 
   /** True if frames move without the joints. */
@@ -89,41 +89,43 @@ export class Chain {
     return this.drifts.size > 0;
   }
 
-  private driftAt(frame: number, t_s: number): UniformMotion | undefined {
+  private uniformMotionAt(frame: number, t_s: number): UniformMotion | undefined {
     return this.drifts.get(frame)?.findLast((uniformMotion) => uniformMotion.from_s <= t_s);
   }
 
   private shiftOfBase(t_s: number): Matrix4 | null {
-    const uniformMotion = this.driftAt(this.base, t_s);
+    const uniformMotion = this.uniformMotionAt(this.base, t_s);
     return uniformMotion ? poseAt(uniformMotion, t_s).multiply(this.toolSide.base.clone().invert()) : null;
   }
 
-  private placeFrames(places: LinkPoses, t_s: number): void {
+  private computeFramePoses(linkPoses: LinkPoses, t_s: number): void {
     this.scene.frames?.forEach((frame, i) => {
       if ("link" in frame) {
-        const moved = i === this.base && this.driftAt(i, t_s);
-        const pose = moved ? poseAt(moved, t_s).premultiply(this.world) : places.links[frame.link].clone().multiply(matrixOf(frame.in_link));
-        places.frames.push(pose);
+        const moved = i === this.base && this.uniformMotionAt(i, t_s);
+        const pose = moved
+          ? poseAt(moved, t_s).premultiply(this.world)
+          : linkPoses.links[frame.link].clone().multiply(matrixOf(frame.in_link));
+        linkPoses.frames.push(pose);
       } else {
-        const uniformMotion = this.driftAt(i, t_s);
+        const uniformMotion = this.uniformMotionAt(i, t_s);
         const inParent = uniformMotion ? poseAt(uniformMotion, t_s) : matrixOf(frame.in_parent);
-        places.frames.push(places.frames[frame.parent].clone().multiply(inParent));
+        linkPoses.frames.push(linkPoses.frames[frame.parent].clone().multiply(inParent));
       }
     });
   }
 }
 
-function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 | null, places: LinkPoses): Matrix4 {
+function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 | null, linkPoses: LinkPoses): Matrix4 {
   const at = branch.base.clone();
   if (shift) at.premultiply(shift);
-  at.premultiply(places.links[0]);
+  at.premultiply(linkPoses.links[0]);
   const motion = new Matrix4();
   for (const link of branch.links) {
     at.multiply(link.before);
-    places.joints[link.joint].copy(at);
+    linkPoses.joints[link.joint].copy(at);
     const value = joints[link.joint];
     at.multiply(link.rotary ? motion.makeRotationZ(value) : motion.makeTranslation(0, 0, value)).multiply(link.after);
-    places.links[link.joint + 1].copy(at);
+    linkPoses.links[link.joint + 1].copy(at);
   }
   return at.multiply(branch.end);
 }

@@ -16,11 +16,11 @@ export class ChunkCache {
   private readonly here = new Map<RunSection, Chunk>();
   private readonly pendingFetch = new Map<RunSection, Promise<boolean>>();
   private requested: RunSection[] = [];
-  private works = false;
-  private failed_ms = -Infinity;
+  private isFetching = false;
+  private lastFailure_ms = -Infinity;
   private last: [RunSection, Chunk] | null = null;
   /** Called when some have been loaded, and why some have not. */
-  come: () => void = () => {};
+  onLoaded: () => void = () => {};
   failed: (why: string) => void = () => {};
 
   constructor(
@@ -51,40 +51,40 @@ export class ChunkCache {
   }
 
   /** Fetches these one by one; earlier requests that are not in progress are dropped. */
-  want(sections: RunSection[]): void {
+  prefetch(sections: RunSection[]): void {
     this.requested = sections;
-    if (!this.works && performance.now() - this.failed_ms > RETRY_PAUSE_MS) void this.work();
+    if (!this.isFetching && performance.now() - this.lastFailure_ms > RETRY_PAUSE_MS) void this.work();
   }
 
   private async work(): Promise<void> {
-    this.works = true;
+    this.isFetching = true;
     for (let next = this.requested.shift(); next; next = this.requested.shift()) {
-      if (!(await this.need(next))) this.requested = [];
+      if (!(await this.fetchNow(next))) this.requested = [];
     }
-    this.works = false;
+    this.isFetching = false;
   }
 
   /** Fetches one at once; returns true if it is then loaded. */
-  async need(section: RunSection): Promise<boolean> {
+  async fetchNow(section: RunSection): Promise<boolean> {
     if (section.whole || this.here.has(section)) return true;
-    const pendingFetch = this.pendingFetch.get(section) ?? this.bring(section);
+    const pendingFetch = this.pendingFetch.get(section) ?? this.fetchSection(section);
     this.pendingFetch.set(section, pendingFetch);
     return pendingFetch;
   }
 
-  private async bring(section: RunSection): Promise<boolean> {
+  private async fetchSection(section: RunSection): Promise<boolean> {
     try {
       const chunk = readChunk(await this.fetch(section.number));
       // Data of another run would be joints of another motion.
       if (chunk.first !== section.first || chunk.count !== section.count || chunk.start_s[0] !== section.start_s) {
-        throw new Error(`message ${section.number} is of another run`);
+        throw new Error(`message ${section.number} belongs to another run`);
       }
       this.put(section, chunk);
-      this.come();
+      this.onLoaded();
       return true;
-    } catch (fault) {
-      this.failed_ms = performance.now();
-      this.failed(fault instanceof Error ? fault.message : String(fault));
+    } catch (error) {
+      this.lastFailure_ms = performance.now();
+      this.failed(error instanceof Error ? error.message : String(error));
       return false;
     } finally {
       this.pendingFetch.delete(section);

@@ -1,9 +1,9 @@
 // Position, speed and acceleration of the joints in a segment, from its record (docs/studio.md).
 
 import { ARC_SIZE, arcAt } from "./arc";
-import { HEAD_SIZE, headAt, headLength_rad } from "./head";
 import { Flag } from "./kinds";
-import { addBreaks_s, lawAt, lawDuration_s, lawLength, lawSize, type LawState } from "./law";
+import { HEAD_SIZE, headAt, headLength_rad } from "./orientation_arc";
+import { addBreaks_s, lawAt, lawDuration_s, lawLength, lawSize, type LawState } from "./time_law";
 
 /** Values of the joints, mm or rad, with their first and second time derivatives. */
 export interface JointState {
@@ -36,8 +36,8 @@ interface Layout {
   arc: number;
   head: number;
   followers: number;
-  apart: number;
-  beside: SegmentRecord | null;
+  uncoordinated: number;
+  superimposed: SegmentRecord | null;
 }
 
 function recordLayout({ values, joints }: Records, { at, flags }: SegmentRecord): Layout {
@@ -50,10 +50,10 @@ function recordLayout({ values, joints }: Records, { at, flags }: SegmentRecord)
   const followers = next;
   next += 1;
   for (let i = values[followers]; i > 0; --i) next += 2 + lawSize(values, next + 2);
-  const apart = flags & Flag.apart ? next : -1;
-  if (apart >= 0) next += 1;
-  const beside = flags & Flag.beside ? { at: next + 2, flags: values[next], duration_s: values[next + 1] } : null;
-  return { lead, arc, head, followers, apart, beside };
+  const uncoordinated = flags & Flag.apart ? next : -1;
+  if (uncoordinated >= 0) next += 1;
+  const superimposed = flags & Flag.beside ? { at: next + 2, flags: values[next], duration_s: values[next + 1] } : null;
+  return { lead, arc, head, followers, uncoordinated, superimposed };
 }
 
 const zeros = (count: number): JointState => ({
@@ -63,11 +63,11 @@ const zeros = (count: number): JointState => ({
 });
 
 /** Sets `out` to the joints at the end of the segment, with those of a superimposed motion added. */
-function setEnd(records: Records, part: SegmentRecord, beside: SegmentRecord | null, out: Float64Array): void {
+function setEnd(records: Records, part: SegmentRecord, superimposed: SegmentRecord | null, out: Float64Array): void {
   const { values, joints } = records;
   for (let j = 0; j < joints; ++j) out[j] = values[part.at + joints + j];
-  if (!beside) return;
-  for (let j = 0; j < joints; ++j) out[j] += values[beside.at + joints + j] - values[beside.at + j];
+  if (!superimposed) return;
+  for (let j = 0; j < joints; ++j) out[j] += values[superimposed.at + joints + j] - values[superimposed.at + j];
 }
 
 function setLinear({ values, joints }: Records, { at }: SegmentRecord, lead: LawState, scale: number, out: JointState): void {
@@ -91,7 +91,7 @@ function setArc(values: Float64Array, arc: number, lead: LawState, out: JointSta
   }
 }
 
-function setHead(values: Float64Array, head: number, lead: LawState, scale: number, out: JointState): void {
+function setOrientationArc(values: Float64Array, head: number, lead: LawState, scale: number, out: JointState): void {
   const rate = scale * headLength_rad(values, head);
   const speed = lead.v * rate;
   const point = headAt(values, head, lead.s * rate);
@@ -111,7 +111,7 @@ function setFollowers(records: Records, part: SegmentRecord, layout: Layout, t_s
   for (let i = values[layout.followers]; i > 0; --i) {
     const joint = values[next];
     const sign = values[next + 1];
-    const own = lawState(values, next + 2, layout.apart >= 0, t_s);
+    const own = lawState(values, next + 2, layout.uncoordinated >= 0, t_s);
     out.position[joint] = values[part.at + joint] + sign * own.s;
     out.velocity[joint] = sign * own.v;
     out.acceleration[joint] = sign * own.a;
@@ -119,10 +119,10 @@ function setFollowers(records: Records, part: SegmentRecord, layout: Layout, t_s
   }
 }
 
-function addSuperimposed(records: Records, beside: SegmentRecord, t_s: number, out: JointState): void {
-  const other = jointsAt(records, beside, t_s);
+function addSuperimposed(records: Records, superimposed: SegmentRecord, t_s: number, out: JointState): void {
+  const other = jointsAt(records, superimposed, t_s);
   for (let j = 0; j < records.joints; ++j) {
-    out.position[j] += other.position[j] - records.values[beside.at + j];
+    out.position[j] += other.position[j] - records.values[superimposed.at + j];
     out.velocity[j] += other.velocity[j];
     out.acceleration[j] += other.acceleration[j];
   }
@@ -132,34 +132,34 @@ function addSuperimposed(records: Records, beside: SegmentRecord, t_s: number, o
 export function jointsAt(records: Records, part: SegmentRecord, t_s: number): JointState {
   const { values, joints } = records;
   const layout = recordLayout(records, part);
-  const lead = lawState(values, layout.lead, layout.apart >= 0, t_s);
+  const lead = lawState(values, layout.lead, layout.uncoordinated >= 0, t_s);
   const length = lawLength(values, layout.lead);
   const scale = length > 0 ? 1 / length : 0;
   const out = zeros(joints);
   setLinear(records, part, lead, scale, out);
   if (layout.arc >= 0) setArc(values, layout.arc, lead, out);
-  if (layout.head >= 0) setHead(values, layout.head, lead, scale, out);
+  if (layout.head >= 0) setOrientationArc(values, layout.head, lead, scale, out);
   setFollowers(records, part, layout, t_s, out);
-  if (layout.beside) addSuperimposed(records, layout.beside, t_s, out);
-  if (t_s >= part.duration_s) setEnd(records, part, layout.beside, out.position);
+  if (layout.superimposed) addSuperimposed(records, layout.superimposed, t_s, out);
+  if (t_s >= part.duration_s) setEnd(records, part, layout.superimposed, out.position);
   if (t_s <= 0 && part.duration_s > 0) for (let j = 0; j < joints; ++j) out.position[j] = values[part.at + j];
   return out;
 }
 
 /**
- * Returns the speed of the tool along its path (mm/s): `length_mm` is the segment's, `carriers` the joints of
- * X, Y and Z.
+ * Returns the speed of the tool along its path (mm/s): `length_mm` is the segment's, `positionJoints` the
+ * joints of X, Y and Z.
  */
-export function pathSpeed(records: Records, part: SegmentRecord, t_s: number, length_mm: number, carriers: number[]): number {
+export function pathSpeed(records: Records, part: SegmentRecord, t_s: number, length_mm: number, positionJoints: number[]): number {
   const { values } = records;
   const layout = recordLayout(records, part);
-  if (!layout.beside && layout.apart < 0) {
+  if (!layout.superimposed && layout.uncoordinated < 0) {
     const length = lawLength(values, layout.lead);
     return length > 0 ? (lawAt(values, layout.lead, t_s).v * length_mm) / length : 0;
   }
   const { velocity } = jointsAt(records, part, t_s);
   const carries = (joint: number) =>
-    layout.apart >= 0 ? ((values[layout.apart] >>> joint) & 1) !== 0 : carriers.includes(joint);
+    layout.uncoordinated >= 0 ? ((values[layout.uncoordinated] >>> joint) & 1) !== 0 : positionJoints.includes(joint);
   return Math.sqrt(velocity.reduce((square, v, joint) => (carries(joint) ? square + v * v : square), 0));
 }
 
@@ -172,18 +172,18 @@ export function pathAcceleration(
   part: SegmentRecord,
   t_s: number,
   length_mm: number,
-  carriers: number[],
+  positionJoints: number[],
 ): number {
   const { values } = records;
   const layout = recordLayout(records, part);
-  if (!layout.beside && layout.apart < 0) {
+  if (!layout.superimposed && layout.uncoordinated < 0) {
     const length = lawLength(values, layout.lead);
     return length > 0 ? (lawAt(values, layout.lead, t_s).a * length_mm) / length : 0;
   }
   const { velocity, acceleration } = jointsAt(records, part, t_s);
   let [along, speed2, size2] = [0, 0, 0];
   for (let joint = 0; joint < records.joints; ++joint) {
-    const carries = layout.apart >= 0 ? (values[layout.apart] >>> joint) & 1 : carriers.includes(joint);
+    const carries = layout.uncoordinated >= 0 ? (values[layout.uncoordinated] >>> joint) & 1 : positionJoints.includes(joint);
     if (!carries) continue;
     along += velocity[joint] * acceleration[joint];
     speed2 += velocity[joint] ** 2;
@@ -203,14 +203,14 @@ export function isProportional(records: Records, part: SegmentRecord): boolean {
 export function lawBreaks_s(records: Records, part: SegmentRecord): number[] {
   const { values } = records;
   const layout = recordLayout(records, part);
-  const breaks_s = layout.beside ? lawBreaks_s(records, layout.beside) : [];
+  const breaks_s = layout.superimposed ? lawBreaks_s(records, layout.superimposed) : [];
   addBreaks_s(values, layout.lead, breaks_s);
   let next = layout.followers + 1;
   for (let i = values[layout.followers]; i > 0; --i) {
     addBreaks_s(values, next + 2, breaks_s);
-    if (layout.apart >= 0) breaks_s.push(lawDuration_s(values, next + 2));
+    if (layout.uncoordinated >= 0) breaks_s.push(lawDuration_s(values, next + 2));
     next += 2 + lawSize(values, next + 2);
   }
-  if (layout.apart >= 0) breaks_s.push(lawDuration_s(values, layout.lead));
+  if (layout.uncoordinated >= 0) breaks_s.push(lawDuration_s(values, layout.lead));
   return breaks_s;
 }

@@ -4,11 +4,11 @@ import { limitKinds, limitWords, moveKinds, type LimitKind } from "./kinds";
 import { isStandstill, decodeKind, decodeLimitAxis, decodeLimit } from "./segments";
 
 /** Limit or dwell; a dwell has no limit, it waits. */
-export type Held = LimitKind | "dwell";
+export type LimitOrDwell = LimitKind | "dwell";
 
 /** Limit and the letter of its axis; empty: none. */
 export interface NamedLimit {
-  kind: Held;
+  kind: LimitOrDwell;
   letter: string;
 }
 

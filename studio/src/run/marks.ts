@@ -1,13 +1,13 @@
 // Marks of a run, in the order of time: events, alarms, exceeded limits, contacts, findings.
 
-import type { Located, Report } from "./report";
+import type { LocatedEntry, Report } from "./report";
 import type { Robot, Run } from "./run";
 
 export const markKinds = ["alarm", "collision", "violation", "zone", "motor", "finding", "near", "event"] as const;
 /** Kinds, the most severe first; "near" is a clearance below the requested one. */
 export type MarkKind = (typeof markKinds)[number];
 
-export interface Mark extends Located {
+export interface Mark extends LocatedEntry {
   t_s: number;
   kind: MarkKind;
   /** Kind of an event, or the message of any other mark. */
@@ -18,11 +18,11 @@ export interface Mark extends Located {
   clearance_mm: number;
 }
 
-const placed = (from: Located): Located => ({ file: from.file, line: from.line });
+const placed = (from: LocatedEntry): LocatedEntry => ({ file: from.file, line: from.line });
 const plain = { detail: "", pair: null, clearance_mm: 0 };
 
 /** Returns the first motion of a line, s. */
-function lineStart_s(robot: Robot | undefined, { file, line }: Located): number {
+function lineStart_s(robot: Robot | undefined, { file, line }: LocatedEntry): number {
   if (!robot || file === null || line === null) return 0;
   const block = robot.blocks.firstOf(robot.files.indexOf(file), line);
   return block < 0 ? 0 : robot.blocks.start_s(block);

@@ -14,18 +14,18 @@ export interface SourceLocation {
 }
 
 /** Null: of no line. */
-export interface Located {
+export interface LocatedEntry {
   file: string | null;
   line: number | null;
 }
 
-export interface ReportEvent extends Located {
+export interface ReportEvent extends LocatedEntry {
   t_s: number;
   kind: string;
   detail?: string;
 }
 
-export interface Violation extends Located {
+export interface Violation extends LocatedEntry {
   t_s: number;
   axis: string;
   unit: string;
@@ -35,14 +35,14 @@ export interface Violation extends Located {
   message: string;
 }
 
-export interface Collision extends Located {
+export interface Collision extends LocatedEntry {
   t_s: number;
   pair: [string, string];
   point_mm: [number, number, number];
   kind: "penetrating" | "touching";
 }
 
-export interface Clearance extends Located {
+export interface Clearance extends LocatedEntry {
   /** Time; missing if not known. */
   t_s?: number;
   clearance_mm: number;
@@ -50,7 +50,7 @@ export interface Clearance extends Located {
   point_mm: [number, number, number];
 }
 
-export interface ReportDiagnostic extends Located {
+export interface ReportDiagnostic extends LocatedEntry {
   severity: Severity;
   code: string;
   text: string;
@@ -60,7 +60,7 @@ export interface ReportDiagnostic extends Located {
 }
 
 /** Effort of an axis motor, N or Nm; null: not in the machine file. */
-export interface AxisEffort extends Located {
+export interface AxisEffort extends LocatedEntry {
   axis: string;
   unit: string;
   t_s: number;
@@ -73,7 +73,7 @@ export interface AxisEffort extends Located {
   friction_j: number;
 }
 
-export interface EffortExcess extends Located {
+export interface EffortExcess extends LocatedEntry {
   t_s: number;
   axis: string;
   kind: "peak" | "continuous";
@@ -94,17 +94,17 @@ export interface Efforts {
 }
 
 /** Following error of an axis, mm or deg. */
-export interface AxisFollowing extends Located {
+export interface AxisFollowing extends LocatedEntry {
   axis: string;
   unit: string;
-  behind_s: number;
+  lag_s: number;
   t_s: number;
   peak: number;
   rms: number;
 }
 
 /** Largest distance of the TCP from its path. */
-export interface ContourError extends Located {
+export interface ContourError extends LocatedEntry {
   error_mm: number;
   t_s: number;
 }
@@ -122,12 +122,12 @@ export interface Report {
   machine: string;
   controller: string | null;
   status: RunStatus;
-  alarm: (Located & { code: string; message: string; axis: string | null }) | null;
+  alarm: (LocatedEntry & { code: string; message: string; axis: string | null }) | null;
   cycle_time_s: number;
   /** With violations: time after which the times are not those of the machine. */
   valid_until_s?: number | null;
   time?: { rapid_s: number; feed_s: number; dwell_s: number; words_s?: number };
-  length?: { rapid_mm: number; feed_mm: number; jet_on_mm: number };
+  length?: { rapid_mm: number; feed_mm: number; process_on_mm: number };
   blocks?: number;
   moves?: number;
   process?: string;
@@ -137,10 +137,10 @@ export interface Report {
   events?: ReportEvent[];
   warnings: string[];
   diagnostics?: ReportDiagnostic[];
-  findings?: (Located & { t_s: number; code: string; message: string })[];
+  findings?: (LocatedEntry & { t_s: number; code: string; message: string })[];
   collisions?: Collision[];
   clearances?: Clearance[];
-  cell?: { name: string; clearance_mm: number; looked_at?: { pairs: number; with_robots?: number } };
+  cell?: { name: string; clearance_mm: number; checked?: { pairs: number; with_robots?: number } };
   time_by_limit?: { limited_by: string; time_s: number }[];
   lower_bound_s?: number | null;
   efforts?: Efforts;

@@ -114,12 +114,12 @@ export class Run {
   }
 
   /** Fetches the data shown at a time; `ahead`: also those after it. */
-  want(t_s: number, ahead = false): void {
+  prefetch(t_s: number, ahead = false): void {
     if (!this.isLong) return;
     const all = this.robots.map(({ segments }) => segments);
     const now = all.flatMap((segments) => segments.missingSection(t_s) ?? []);
     const next = all.flatMap((segments) => segments.missingSection(segments.sectionAt(t_s)?.end_s ?? 0) ?? []);
-    this.laws?.want(ahead ? [...now, ...next] : now);
+    this.laws?.prefetch(ahead ? [...now, ...next] : now);
   }
 
   get end_s(): number {
@@ -176,12 +176,12 @@ export class Run {
    * Returns the active lines at a time: those of events at that instant, which occur between moves, else that
    * of the active segment; none if the robot is done.
    */
-  placesAt(robot: number, t_s: number): SourceLocation[] {
+  locationsAt(robot: number, t_s: number): SourceLocation[] {
     if (!this.robots[robot]) return [];
     const places = this.eventsAt(robot, t_s).flatMap(({ file, line }) =>
       file !== null && line !== null ? [{ file, line }] : [],
     );
-    const moving = places.length === 0 ? this.placeOfMotion(robot, t_s) : null;
+    const moving = places.length === 0 ? this.locationOfMotion(robot, t_s) : null;
     return moving ? [moving] : places;
   }
 
@@ -189,7 +189,7 @@ export class Run {
    * Returns the line of the segment active at a time; null: the robot is done, has not moved at all, or the
    * data is not loaded.
    */
-  placeOfMotion(robot: number, t_s: number): SourceLocation | null {
+  locationOfMotion(robot: number, t_s: number): SourceLocation | null {
     const { segments, files } = this.robots[robot] ?? {};
     if (!segments || segments.count === 0 || t_s > segments.end_s + SAME_TIME_S) return null;
     const at = segments.lineAt(t_s);

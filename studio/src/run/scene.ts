@@ -92,7 +92,7 @@ export interface Scene {
   process: string | null;
   zones: Zone[];
   /** TCPs of the tools used, in the frame of the tool centre point (without tool offset). */
-  tips_mm: Point[];
+  tcps_mm: Point[];
   cell?: string;
   clearance_mm?: number;
   frames?: Frame[];

@@ -3,7 +3,7 @@
 import type { Message } from "../core/message";
 import { jointsAt, pathLawOffset, pathSpeed, type JointState, type SegmentRecord, type Records } from "./evaluate";
 import { Flag, limitKinds, moveKinds, segmentKinds, type LimitKind, type MoveKind } from "./kinds";
-import { lawLength, newRange, extendByLaw } from "./law";
+import { lawLength, newRange, extendByLaw } from "./time_law";
 import type { ChunkCache } from "./chunk_cache";
 import { lastIndex } from "./search";
 import { RunSection, type Chunk, type Line, type SegmentRange } from "./run_section";
@@ -59,7 +59,7 @@ export class Segments {
 
   constructor(
     readonly joints: number,
-    readonly carriers: number[],
+    readonly positionJoints: number[],
     private readonly laws: ChunkCache | null = null,
   ) {}
 
@@ -112,9 +112,9 @@ export class Segments {
   }
 
   /** Fetches all data of a segment; returns true if it is then loaded. */
-  async need(index: number): Promise<boolean> {
+  async fetchNow(index: number): Promise<boolean> {
     const section = this.sectionOf(index);
-    return section.whole !== null || ((await this.laws?.need(section)) ?? false);
+    return section.whole !== null || ((await this.laws?.fetchNow(section)) ?? false);
   }
 
   /**
@@ -233,7 +233,7 @@ export class Segments {
     if (!here) return null;
     const [chunk, i] = here;
     const since_s = t_s - chunk.start_s[i];
-    return pathSpeed(this.records(chunk), this.part(chunk, i), since_s, chunk.length_mm[i], this.carriers);
+    return pathSpeed(this.records(chunk), this.part(chunk, i), since_s, chunk.length_mm[i], this.positionJoints);
   }
 
   /** Returns the highest speed of a segment along the tool's path, mm/s. */

@@ -18,7 +18,7 @@ export function createClock(store: Store): HTMLElement {
   const feed = element("span", { class: "feed", title: words.feedHint });
   const root = element("div", { class: "clock-row" }, clock, whole, seconds, place, kind, feed);
 
-  store.watch(["time_s", "run", "beside", "robot", "units", "selection", "fetched"], () => {
+  store.watch(["time_s", "run", "comparisonRun", "robot", "units", "selection", "loadCount"], () => {
     const t_s = store.get("time_s");
     const robot = shownRobot(store);
     clock.textContent = clockText(t_s);

@@ -9,7 +9,7 @@ import { moveKinds } from "../run/kinds";
 import { decodeKind, type Segments } from "../run/segments";
 import { isProcessOnWithin } from "./process";
 import { firstAfter } from "./steps";
-import { ticks, type TimeWindow } from "./window";
+import { ticks, type TimeWindow } from "./time_window";
 
 /** Contents of the strip for one robot. */
 export interface Content {
@@ -31,10 +31,10 @@ const markColours: Record<MarkKind, string> = {
 
 // Rows, px from the top.
 const STRIP_HEIGHT = 50;
-const TICKS = { top: 0, height: 14 };
-const MARKS = { top: 15, height: 12 };
-const KINDS = { top: 29, height: 11 };
-const PROCESS = { top: 41, height: 6 };
+const TICKS_ROW = { top: 0, height: 14 };
+const MARKS_ROW = { top: 15, height: 12 };
+const KINDS_ROW = { top: 29, height: 11 };
+const PROCESS_ROW = { top: 41, height: 6 };
 
 /** Column of pixels of an instant. */
 export const timePixel = (window: TimeWindow, width: number, t_s: number): number =>
@@ -48,7 +48,7 @@ export function drawStrip(canvas: HTMLCanvasElement, window: TimeWindow, content
   const ctx = canvas.getContext("2d")!;
   ctx.scale(ratio, ratio);
   ctx.fillStyle = themeColour("--bg");
-  ctx.fillRect(0, KINDS.top, width, KINDS.height);
+  ctx.fillRect(0, KINDS_ROW.top, width, KINDS_ROW.height);
   if (!content || content.segments.count === 0) return;
   drawTicks(ctx, window, width);
   drawKinds(ctx, window, width, content.segments);
@@ -63,9 +63,9 @@ function drawTicks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
   for (const t_s of at_s) {
     const x = timePixel(window, width, t_s);
     ctx.fillStyle = themeColour("--line");
-    ctx.fillRect(x, TICKS.top, 1, MARKS.top + MARKS.height);
+    ctx.fillRect(x, TICKS_ROW.top, 1, MARKS_ROW.top + MARKS_ROW.height);
     ctx.fillStyle = themeColour("--dim");
-    ctx.fillText(timeText(t_s, digits), x + 3, TICKS.top + 1);
+    ctx.fillText(timeText(t_s, digits), x + 3, TICKS_ROW.top + 1);
   }
 }
 
@@ -80,7 +80,7 @@ function drawKinds(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
     if (here === kind) continue;
     if (kind >= 0) {
       ctx.fillStyle = kindColours[moveKinds[kind]];
-      ctx.fillRect(from, KINDS.top, x - from, KINDS.height);
+      ctx.fillRect(from, KINDS_ROW.top, x - from, KINDS_ROW.height);
     }
     [from, kind] = [x, here];
   }
@@ -91,7 +91,7 @@ function drawProcess(ctx: CanvasRenderingContext2D, window: TimeWindow, width: n
   const step_s = window.span_s / width;
   for (let x = 0; x < width; ++x) {
     const t_s = window.start_s + x * step_s;
-    if (isProcessOnWithin(edges_s, t_s, t_s + step_s)) ctx.fillRect(x, PROCESS.top, 1, PROCESS.height);
+    if (isProcessOnWithin(edges_s, t_s, t_s + step_s)) ctx.fillRect(x, PROCESS_ROW.top, 1, PROCESS_ROW.height);
   }
 }
 
@@ -110,7 +110,7 @@ function drawMarks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
 
 /** Draws a shape for each kind, in addition to colours: bar, triangle, cross, diamond, circle. */
 function drawMark(ctx: CanvasRenderingContext2D, x: number, kind: MarkKind): void {
-  const [top, bottom] = [MARKS.top, MARKS.top + MARKS.height];
+  const [top, bottom] = [MARKS_ROW.top, MARKS_ROW.top + MARKS_ROW.height];
   const middle = (top + bottom) / 2;
   ctx.fillStyle = ctx.strokeStyle = markColours[kind];
   ctx.lineWidth = 2;

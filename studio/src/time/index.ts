@@ -3,7 +3,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./time.css";
 import { element } from "../core/dom";
-import type { Frames } from "../core/frames";
+import type { AnimationFrames } from "../core/animation_frames";
 import type { Session } from "../core/session";
 import { clockEnd_s, shownRobot } from "../core/display_state";
 import type { Store } from "../core/store";
@@ -11,19 +11,19 @@ import { runMarks, type Mark } from "../run/marks";
 import { texts } from "../texts";
 import { createCharts } from "./charts";
 import { createClock } from "./clock";
-import { createGrip } from "./grip";
 import { createKeyboard } from "./keyboard";
 import { fullMarkText } from "./mark_text";
 import { createPlayer } from "./player";
 import { processEdges_s } from "./process";
+import { createResizeHandle } from "./resize_handle";
 import { createScrubber } from "./scrubber";
 import { goToEnd, goToStart, stepBlock, stepMark } from "./steps";
+import { TimeWindow } from "./time_window";
 import { createTransport, type Actions } from "./transport";
-import { TimeWindow } from "./window";
 
 const words = texts.time;
 
-export function createTime(host: HTMLElement, store: Store, _session: Session, frames: Frames): void {
+export function createTimePanel(host: HTMLElement, store: Store, _session: Session, frames: AnimationFrames): void {
   const window = new TimeWindow();
   let marks: Mark[] = [];
   const told = element("div", { class: "told", role: "status", "aria-live": "polite" });
@@ -51,14 +51,14 @@ export function createTime(host: HTMLElement, store: Store, _session: Session, f
   });
   const bar = element("div", { class: "bar" }, createTransport(store, actions), createClock(store), told);
   const left = element("div", { class: "left" }, createZoom(store, window), charts.chooser);
-  host.append(createGrip(host), bar, left, scrubber.element, charts.list);
+  host.append(createResizeHandle(host), bar, left, scrubber.element, charts.list);
 
   // The text of a mark does not apply to another instant.
   store.on("time_s", () => {
     if (told.textContent) told.textContent = "";
     if (!window.isComplete) window.show(store.get("time_s"));
   });
-  store.watch(["run", "beside", "robot"], () => {
+  store.watch(["run", "comparisonRun", "robot"], () => {
     const run = store.get("run");
     const robot = shownRobot(store);
     marks = run && robot ? runMarks(run, store.get("robot")) : [];

@@ -1,6 +1,6 @@
 // Mark as text in the strip: position, kind and message.
 
-import { markText } from "../core/names";
+import { markText } from "../core/display_names";
 import type { Units } from "../core/store";
 import type { Mark } from "../run/marks";
 import { texts } from "../texts";

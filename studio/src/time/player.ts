@@ -1,10 +1,10 @@
 // Plays the run, `rate` seconds of it in a second.
 
-import type { Frames } from "../core/frames";
+import type { AnimationFrames } from "../core/animation_frames";
 import { clockEnd_s } from "../core/display_state";
 import type { Store } from "../core/store";
 
-export function createPlayer(store: Store, frames: Frames): void {
+export function createPlayer(store: Store, frames: AnimationFrames): void {
   let before_ms = 0;
   let frame = 0;
   const step = (now_ms: number) => {

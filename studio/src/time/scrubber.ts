@@ -11,7 +11,7 @@ import { texts } from "../texts";
 import { listenToDrag } from "./drag";
 import { drawStrip, timePixel, type Content } from "./draw";
 import { fullMarkText } from "./mark_text";
-import type { TimeWindow } from "./window";
+import type { TimeWindow } from "./time_window";
 
 const words = texts.time;
 const SNAP_DISTANCE_PX = 6;

@@ -25,7 +25,7 @@ export function stepBlock(store: Store, by: 1 | -1): void {
   store.set("playing", false);
   const here = segments.at(t_s);
   if (segments.locate(here)) return stepFrom(store, robot, by);
-  void segments.need(here).then(() => {
+  void segments.fetchNow(here).then(() => {
     if (shownRobot(store) === robot && store.get("time_s") === t_s) stepFrom(store, robot, by);
   });
 }

@@ -4,8 +4,8 @@
 import { Matrix4, Scene, Vector2, Vector3, type WebGLRenderer } from "three";
 import type { Handle as Held } from "../core/store";
 import type { ActiveGrab } from "./gestures";
-import { gripAt, HandleDrag, type HandleGrip, type HandleContext } from "./hand_path/grips";
-import { Handle } from "./hand_path/handle";
+import { Handle } from "./path_editing/handle";
+import { gripAt, HandleDrag, type HandleGrip, type HandleContext } from "./path_editing/handle_grips";
 import type { Draggable, DraggableContext } from "./draggables";
 import type { Palette } from "./theme";
 
@@ -47,7 +47,7 @@ export class BodyDragger implements Draggable {
     const { stage, store } = this.on;
     for (const { bodies } of stage.machines) bodies.carry(-1, null);
     const machine = stage.machines[store.get("robot")];
-    const place = displayed && machine?.at(store.get("time_s")).places.frames[displayed.frame];
+    const place = displayed && machine?.at(store.get("time_s")).linkPoses.frames[displayed.frame];
     if (displayed && place) machine.bodies.carry(displayed.frame, new Matrix4().fromArray(displayed.parent).multiply(this.pose).multiply(place.clone().invert()));
     this.on.changed();
   }
@@ -102,7 +102,7 @@ export class BodyDragger implements Draggable {
     };
   }
 
-  escape(): boolean {
+  cancelDrag(): boolean {
     if (!this.draggedPose) return false;
     this.draggedPose = null;
     this.carry();

@@ -82,9 +82,9 @@ export class CameraRig {
     camera.updateMatrixWorld();
   }
 
-  /** Copies direction and distance of another camera, with a target shifted by `beside`. */
-  lookAs(other: CameraRig, beside: Vector3): void {
-    this.target.copy(other.target).add(beside);
+  /** Copies direction and distance of another camera, with a target shifted by `offset`. */
+  copyFrom(other: CameraRig, offset: Vector3): void {
+    this.target.copy(other.target).add(offset);
     this.azimuth = other.azimuth;
     this.elevation = other.elevation;
     this.distance_mm = other.distance_mm;

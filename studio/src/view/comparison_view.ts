@@ -25,8 +25,8 @@ type Selection = State["selection"];
 function convertSelection(selection: Selection, from: Robot | undefined, to: Robot | undefined): Selection {
   if (!selection || selection.block < 0) return selection;
   const { file, line } = selection;
-  const pass = from?.blocks.ofLine(from.files.indexOf(file), line).indexOf(selection.block) ?? -1;
-  return { file, line, block: to?.blocks.ofLine(to.files.indexOf(file), line)[pass] ?? -1 };
+  const pass = from?.blocks.blocksOfLine(from.files.indexOf(file), line).indexOf(selection.block) ?? -1;
+  return { file, line, block: to?.blocks.blocksOfLine(to.files.indexOf(file), line)[pass] ?? -1 };
 }
 
 /**
@@ -34,7 +34,7 @@ function convertSelection(selection: Selection, from: Robot | undefined, to: Rob
  * ends.
  */
 class StoreSync {
-  private passing = false;
+  private isSynchronizing = false;
 
   constructor(
     private readonly main: Store,
@@ -58,11 +58,11 @@ class StoreSync {
   }
 
   private select(from: Store, to: Store): void {
-    if (this.passing) return;
+    if (this.isSynchronizing) return;
     const shownRobot = (store: Store) => store.get("run")?.robots[store.get("robot")];
-    this.passing = true;
+    this.isSynchronizing = true;
     to.set("selection", convertSelection(from.get("selection"), shownRobot(from), shownRobot(to)));
-    this.passing = false;
+    this.isSynchronizing = false;
   }
 }
 
@@ -71,56 +71,56 @@ const workPosition = (view: View): Vector3 => new Vector3().setFromMatrixPositio
 
 /** Both cameras, which move only together while both views are visible. */
 class CameraSync {
-  private passing = false;
+  private isSynchronizing = false;
 
   constructor(
     one: View,
     other: View,
     private readonly areBothVisible: () => boolean,
   ) {
-    one.watchers.add(() => this.pass(one, other));
-    other.watchers.add(() => this.pass(other, one));
+    one.cameraListeners.add(() => this.pass(one, other));
+    other.cameraListeners.add(() => this.pass(other, one));
   }
 
   /** Runs `act` without passing on changes of one camera. */
-  still(act: () => void): void {
-    this.passing = true;
+  withoutSync(act: () => void): void {
+    this.isSynchronizing = true;
     act();
-    this.passing = false;
+    this.isSynchronizing = false;
   }
 
   private pass(from: View, to: View): void {
-    if (this.passing || !this.areBothVisible()) return;
-    this.still(() => {
-      to.rig.lookAs(from.rig, workPosition(to).sub(workPosition(from)));
+    if (this.isSynchronizing || !this.areBothVisible()) return;
+    this.withoutSync(() => {
+      to.rig.copyFrom(from.rig, workPosition(to).sub(workPosition(from)));
       to.turned();
     });
   }
 }
 
 /** The other view has none of the parts that lead on from the main one. */
-const alone: ViewParts = { createDraggables: noDraggables, createHeadset: noHeadset, createComparisonView: noComparisonView };
+const noViewParts: ViewParts = { createDraggables: noDraggables, createHeadset: noHeadset, createComparisonView: noComparisonView };
 
 class ComparisonView {
   private readonly store = new Store(initialState());
-  private readonly half = element("div", { class: "beside", "aria-label": texts.variants.besideView });
+  private readonly half = element("div", { class: "beside", "aria-label": texts.variants.secondView });
   private readonly names = [0, 1].map((i) => element("div", { class: `side-name side-name-${i}` }));
   private joined: { stores: StoreSync; eyes: CameraSync } | null = null;
 
   constructor(private readonly place: ComparisonViewContext) {
     const { host, store } = place;
     host.append(this.half, ...this.names);
-    store.watch(["beside"], () => this.show(store.get("beside")));
+    store.watch(["comparisonRun"], () => this.show(store.get("comparisonRun")));
   }
 
-  private show(beside: ComparisonRun | null): void {
+  private show(comparisonRun: ComparisonRun | null): void {
     const { host, view } = this.place;
-    host.classList.toggle("split", beside !== null);
-    this.names.forEach((each, i) => (each.textContent = beside?.names[i] ?? ""));
-    if (!beside) return this.store.set("run", null);
+    host.classList.toggle("split", comparisonRun !== null);
+    this.names.forEach((each, i) => (each.textContent = comparisonRun?.names[i] ?? ""));
+    if (!comparisonRun) return this.store.set("run", null);
     this.joined ??= this.make();
-    this.joined?.eyes.still(() => {
-      this.store.set("run", beside.run);
+    this.joined?.eyes.withoutSync(() => {
+      this.store.set("run", comparisonRun.run);
       this.joined!.stores.begin();
     });
     // Both canvases have their new sizes in the second frame from here.
@@ -130,9 +130,9 @@ class ComparisonView {
   /** Created on first use: a second picture takes more of the graphics card. */
   private make(): { stores: StoreSync; eyes: CameraSync } | null {
     const { view, store, session, frames } = this.place;
-    const second = createView(this.half, this.store, session, frames, alone);
+    const second = createView(this.half, this.store, session, frames, noViewParts);
     if (!second) return null;
-    const areBothVisible = () => store.get("beside") !== null;
+    const areBothVisible = () => store.get("comparisonRun") !== null;
     return { stores: new StoreSync(store, this.store, areBothVisible), eyes: new CameraSync(view, second.view, areBothVisible) };
   }
 }

@@ -1,6 +1,6 @@
 // Place of a second run on the same clock; a page that only shows a finished run has none.
 
-import type { Frames } from "../core/frames";
+import type { AnimationFrames } from "../core/animation_frames";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import type { View } from "./view";
@@ -10,7 +10,7 @@ export interface ComparisonViewContext {
   view: View;
   store: Store;
   session: Session;
-  frames: Frames;
+  frames: AnimationFrames;
 }
 
 export type CreateComparisonView = (place: ComparisonViewContext) => void;

@@ -2,7 +2,7 @@
 
 import { Vector3 } from "three";
 import { matrixOf } from "../run/chain";
-import type { Clearance, Collision, SourceLocation, Located, Report } from "../run/report";
+import type { Clearance, Collision, SourceLocation, LocatedEntry, Report } from "../run/report";
 import type { Run } from "../run/run";
 import type { Role } from "./machine/body_materials";
 import type { Label } from "./marks/labels";
@@ -23,14 +23,14 @@ function contactPoints(run: Run | null): Map<Collision | Clearance, Vector3> {
   return points;
 }
 
-const lineKey = ({ file, line }: Located): string => `${file}\n${line}`;
+const lineKey = ({ file, line }: LocatedEntry): string => `${file}\n${line}`;
 
 export class ContactHighlights {
   private readonly collisions: Collision[];
   private readonly near = new Map<string, Clearance[]>();
   private readonly points: Map<Collision | Clearance, Vector3>;
-  private met = new Set<string>();
-  private metCount = 0;
+  private contactBodies = new Set<string>();
+  private passedContactCount = 0;
 
   constructor(run: Run | null) {
     const reports = robotReports(run);
@@ -45,29 +45,29 @@ export class ContactHighlights {
   /** Returns the highlight of bodies at a time, during the given lines; null: none. */
   at(t_s: number, lines: SourceLocation[]): ((name: string) => Role | undefined) | null {
     this.goTo(t_s);
-    const near = new Set(this.nearBy(lines).flatMap(({ pair }) => pair));
-    if (this.met.size === 0 && near.size === 0) return null;
-    return (name) => (this.met.has(name) ? "hit" : near.has(name) ? "near" : undefined);
+    const near = new Set(this.clearancesAtLines(lines).flatMap(({ pair }) => pair));
+    if (this.contactBodies.size === 0 && near.size === 0) return null;
+    return (name) => (this.contactBodies.has(name) ? "hit" : near.has(name) ? "near" : undefined);
   }
 
-  private nearBy(lines: SourceLocation[]): Clearance[] {
+  private clearancesAtLines(lines: SourceLocation[]): Clearance[] {
     return lines.flatMap((place) => this.near.get(lineKey(place)) ?? []);
   }
 
   private goTo(t_s: number): void {
     const after = this.collisions.findIndex((collision) => collision.t_s > t_s);
     const count = after < 0 ? this.collisions.length : after;
-    if (count === this.metCount) return;
-    this.metCount = count;
-    this.met = new Set(this.collisions.slice(0, count).flatMap(({ pair }) => pair));
+    if (count === this.passedContactCount) return;
+    this.passedContactCount = count;
+    this.contactBodies = new Set(this.collisions.slice(0, count).flatMap(({ pair }) => pair));
   }
 
   /** Returns labels at the last collisions, and at near passes. */
   labels(lines: SourceLocation[]): Label[] {
-    const met = this.collisions.slice(Math.max(0, this.metCount - MAX_MARKS), this.metCount);
+    const met = this.collisions.slice(Math.max(0, this.passedContactCount - MAX_MARKS), this.passedContactCount);
     const mark = (kind: string) => (place: Collision | Clearance) => {
       return { at: this.points.get(place) ?? new Vector3(...place.point_mm), text: "", kind };
     };
-    return [...this.nearBy(lines).map(mark("near")), ...met.map(mark("hit"))];
+    return [...this.clearancesAtLines(lines).map(mark("near")), ...met.map(mark("hit"))];
   }
 }

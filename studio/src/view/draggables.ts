@@ -32,7 +32,7 @@ export interface Draggable {
   /** Whether something was chosen there. */
   click?(x_px: number, y_px: number): boolean;
   /** Reverts a drag; returns true if one was active. */
-  escape(): boolean;
+  cancelDrag(): boolean;
 }
 
 /** Environment of holds, and their callbacks. */

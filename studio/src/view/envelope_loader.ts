@@ -23,7 +23,7 @@ export function watchEnvelope(store: Store, session: Session, view: View, say: (
     if (!bytes) return;
     envelope.setContent(bytes);
     envelope.group.visible = true;
-    view.rig.setVisibleBounds(view.stage.wholeBox().expandByScalar(2000));
+    view.rig.setVisibleBounds(view.stage.fullBox().expandByScalar(2000));
     view.invalidate();
   };
   store.watch(["showEnvelope"], () => void show());

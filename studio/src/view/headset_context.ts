@@ -1,13 +1,13 @@
 // Entry from the page into a headset; a page that only shows a finished run has none.
 
-import type { Frames } from "../core/frames";
+import type { AnimationFrames } from "../core/animation_frames";
 import type { Store } from "../core/store";
 import type { View } from "./view";
 
 export interface HeadsetContext {
   view: View;
   store: Store;
-  frames: Frames;
+  frames: AnimationFrames;
   toolbar: HTMLElement;
 }
 

@@ -1,8 +1,8 @@
 // View of a run: machine, path, and the actions on them.
 
 import "./view.css";
+import type { AnimationFrames } from "../core/animation_frames";
 import { element } from "../core/dom";
-import type { Frames } from "../core/frames";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
@@ -40,7 +40,13 @@ export interface ViewHandle {
 }
 
 /** Returns null if WebGL 2 is missing, after showing a message. */
-export function createView(host: HTMLElement, store: Store, session: Session, frames: Frames, parts: ViewParts): ViewHandle | null {
+export function createView(
+  host: HTMLElement,
+  store: Store,
+  session: Session,
+  frames: AnimationFrames,
+  parts: ViewParts,
+): ViewHandle | null {
   const surface = element("div", { class: "surface", tabindex: 0, role: "application", "aria-label": texts.view.label });
   const hint = element("div", { class: "hint", role: "status" });
   host.append(surface);
@@ -98,7 +104,7 @@ function viewActions(view: View, store: Store): Actions {
     pan: moved((dx, dy) => rig.pan(dx, dy)),
     zoom: moved((factor) => rig.zoom(factor)),
     escape: () => {
-      if (view.holds.some((hold) => hold.escape())) return;
+      if (view.draggables.some((hold) => hold.cancelDrag())) return;
       if (store.get("measuring")) store.set("measuring", false);
       else store.set("selection", null);
     },

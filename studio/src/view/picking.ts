@@ -35,8 +35,8 @@ export function hitTime(data: PathData, hit: Hit, machine: Machine): number {
   if (a.distanceToSquared(b) === 0) return from_s;
   for (let i = 0; i < BISECTION_STEPS; ++i) {
     const middle_s = (from_s + to_s) / 2;
-    const { places, tip_mm } = machine.at(middle_s);
-    if (segmentShare(a, b, tip_mm.applyMatrix4(places.work.invert())) < share) from_s = middle_s;
+    const { linkPoses, tip_mm } = machine.at(middle_s);
+    if (segmentShare(a, b, tip_mm.applyMatrix4(linkPoses.work.invert())) < share) from_s = middle_s;
     else to_s = middle_s;
   }
   return to_s;
@@ -68,7 +68,7 @@ function isVisible(object: Object3D): boolean {
 
 /** Returns the first visible body of machines and cells on a ray. */
 function firstBody(ray: Raycaster, stage: Stage): Intersection | undefined {
-  return ray.intersectObject(stage.machinery, true).find(({ object }) => isVisible(object));
+  return ray.intersectObject(stage.machineGroup, true).find(({ object }) => isVisible(object));
 }
 
 /** Returns the name of the body at a position; null: no body, or it has no name. */

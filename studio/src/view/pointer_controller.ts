@@ -38,7 +38,7 @@ export class PointerController implements Gestures {
   }
 
   grab(x_px: number, y_px: number): ActiveGrab | null {
-    const activeGrab = this.store.get("measuring") ? null : firstResult(this.view.holds, (hold) => hold.grab(x_px, y_px)) ?? null;
+    const activeGrab = this.store.get("measuring") ? null : firstResult(this.view.draggables, (hold) => hold.grab(x_px, y_px)) ?? null;
     if (activeGrab) this.leave();
     return activeGrab;
   }
@@ -75,7 +75,7 @@ export class PointerController implements Gestures {
 
   private tell(): void {
     const { x_px, y_px } = this.at;
-    const cursor = firstResult(this.view.holds, (hold) => hold.hover(x_px, y_px)) ?? "";
+    const cursor = firstResult(this.view.draggables, (hold) => hold.hover(x_px, y_px)) ?? "";
     this.view.canvas.element.style.cursor = cursor;
     if (cursor) return this.tooltip.hide();
     const hit = this.view.hit(x_px, y_px, HIT_DISTANCE_PX);
@@ -88,7 +88,7 @@ export class PointerController implements Gestures {
 
   click(x_px: number, y_px: number): void {
     if (this.store.get("measuring")) this.measure(x_px, y_px);
-    else if (!firstResult(this.view.holds, (hold) => hold.click?.(x_px, y_px))) this.choose(x_px, y_px);
+    else if (!firstResult(this.view.draggables, (hold) => hold.click?.(x_px, y_px))) this.choose(x_px, y_px);
   }
 
   private choose(x_px: number, y_px: number): void {
@@ -110,7 +110,7 @@ export class PointerController implements Gestures {
     this.store.set("time_s", t_s);
     this.store.set("selection", selection);
     if (robot.segments.locate(segment)) return;
-    void robot.segments.need(segment).then((isHere) => {
+    void robot.segments.fetchNow(segment).then((isHere) => {
       const isSame = this.store.get("selection") === selection && this.store.get("time_s") === t_s;
       if (isHere && isSame) this.store.set("time_s", hitTime(path, hit, machine));
     });
@@ -121,7 +121,7 @@ export class PointerController implements Gestures {
     const frame = view.displayed;
     if (!frame) return;
     const hit = view.hit(x_px, y_px, HIT_DISTANCE_PX);
-    const works = frame.instants.map(({ places }) => places.work);
+    const works = frame.instants.map(({ linkPoses }) => linkPoses.work);
     const place = positionAt(x_px, y_px, view.canvas, hit, view.stage, view.rig, works, frame.work);
     if (!place) return;
     view.stage.measure.pick(place);

@@ -23,7 +23,7 @@ export function selectedRanges(run: Run, robot: number, data: PathData, state: P
     return own ? [blockRange(known, data, selection.block)] : [];
   }
   const [file, line] = [run.fileOf(robot, selection.file), selection.line];
-  return sampleEvenly([known.blocks.ofLine(file, line), known.blocks.behindTable({ file, line })]).map((block) =>
+  return sampleEvenly([known.blocks.blocksOfLine(file, line), known.blocks.behindTable({ file, line })]).map((block) =>
     blockRange(known, data, block),
   );
 }

@@ -26,26 +26,26 @@ const MIN_WORK_SIZE_MM = 1;
 
 export class Stage {
   readonly scene = new Scene();
-  readonly machinery = new Group();
+  readonly machineGroup = new Group();
   readonly grid = new Grid();
   readonly extents = new Extents();
   readonly measure = new Measure();
   readonly zones = new Zones();
   readonly envelope = new Envelope();
   readonly directions = new Directions();
-  private readonly lateTips = new ApproximateTcps();
+  private readonly approximateTcps = new ApproximateTcps();
   machines: Machine[] = [];
   paths: PathData[] = [];
   alarms = new ContactHighlights(null);
   private readonly bodyMaterials = new BodyMaterials();
-  private readonly lamp = new DirectionalLight(0xffffff, 2.2);
+  private readonly directionalLight = new DirectionalLight(0xffffff, 2.2);
   private readonly known = new WeakMap<Robot, PathData>();
 
   constructor() {
-    this.lamp.target.position.set(0, 0, 0);
-    const parts = [this.machinery, this.grid.group, this.extents.lines, this.measure.lines, this.zones.group];
-    this.scene.add(...parts, this.envelope.group, this.directions.group, this.lateTips.group);
-    this.scene.add(new AmbientLight(0xffffff, 1.5), this.lamp, this.lamp.target);
+    this.directionalLight.target.position.set(0, 0, 0);
+    const parts = [this.machineGroup, this.grid.group, this.extents.lines, this.measure.lines, this.zones.group];
+    this.scene.add(...parts, this.envelope.group, this.directions.group, this.approximateTcps.group);
+    this.scene.add(new AmbientLight(0xffffff, 1.5), this.directionalLight, this.directionalLight.target);
     this.grid.layOut(DEFAULT_BOUNDS, "mm");
   }
 
@@ -60,19 +60,19 @@ export class Stage {
 
   setContent(run: Run | null, units: Units): void {
     for (const machine of this.machines) machine.dispose();
-    this.machinery.clear();
+    this.machineGroup.clear();
     this.paths = this.pathsOf(run);
     this.machines = run?.robots.map((robot, i) => new Machine(robot, run.reportOf(i), this.bodyMaterials)) ?? [];
-    for (const machine of this.machines) this.machinery.add(machine.group);
+    for (const machine of this.machines) this.machineGroup.add(machine.group);
     this.alarms = new ContactHighlights(run);
     this.zones.setContent(run?.robots ?? [], (robot) => this.pathBox(robot));
     this.directions.setContent(this.paths);
     this.measure.clear();
     this.extents.setContent(this.pathBox(0));
-    this.layGrid(units);
+    this.updateGrid(units);
   }
 
-  layGrid(units: Units): void {
+  updateGrid(units: Units): void {
     const box = this.pathBox(0);
     this.grid.layOut(box.isEmpty() ? DEFAULT_BOUNDS : box, units);
   }
@@ -91,12 +91,12 @@ export class Stage {
       const path = this.pathBox(i);
       if (!path.isEmpty()) box.union(path.clone().applyMatrix4(work));
     });
-    return box.getSize(new Vector3()).length() < MIN_WORK_SIZE_MM ? this.wholeBox() : box;
+    return box.getSize(new Vector3()).length() < MIN_WORK_SIZE_MM ? this.fullBox() : box;
   }
 
-  wholeBox(): Box3 {
-    this.machinery.updateMatrixWorld(true);
-    const box = new Box3().setFromObject(this.machinery);
+  fullBox(): Box3 {
+    this.machineGroup.updateMatrixWorld(true);
+    const box = new Box3().setFromObject(this.machineGroup);
     return box.isEmpty() ? DEFAULT_BOUNDS.clone() : box;
   }
 
@@ -104,7 +104,7 @@ export class Stage {
   place(instants: Instant[], frame: Matrix4): void {
     this.machines.forEach((machine, i) => machine.place(instants[i]));
     for (const part of [this.grid.group, this.extents.lines, this.measure.lines]) part.matrix.copy(frame);
-    this.directions.place(instants.map(({ places }) => places.work));
+    this.directions.place(instants.map(({ linkPoses }) => linkPoses.work));
   }
 
   /** Shows only machines, only the contents of their cells, both, or neither. */
@@ -113,8 +113,8 @@ export class Stage {
   }
 
   /** Marks TCPs on their paths, while the joints are not loaded. */
-  markTips({ instants }: Frame, mmPerPixelAt: (place: Vector3) => number): void {
-    this.lateTips.put(instants.flatMap(({ isApproximate, tip_mm }) => (isApproximate ? tip_mm : [])), mmPerPixelAt);
+  markTcps({ instants }: Frame, mmPerPixelAt: (place: Vector3) => number): void {
+    this.approximateTcps.put(instants.flatMap(({ isApproximate, tip_mm }) => (isApproximate ? tip_mm : [])), mmPerPixelAt);
   }
 
   /** Highlights bodies that have collided by now, or come near in the current lines. */
@@ -123,15 +123,15 @@ export class Stage {
     for (const machine of this.machines) machine.bodies.light(look);
   }
 
-  /** Moves the lamp with the camera. */
+  /** Moves the light with the camera. */
   follow(rig: Pick<CameraRig, "basis">): void {
     const { back, right, up } = rig.basis();
-    this.lamp.position.copy(back).addScaledVector(up, 0.6).addScaledVector(right, -0.4).multiplyScalar(1000);
+    this.directionalLight.position.copy(back).addScaledVector(up, 0.6).addScaledVector(right, -0.4).multiplyScalar(1000);
   }
 
   recolour(colours: Palette): void {
     this.bodyMaterials.recolour(colours);
-    const parts = [this.grid, this.extents, this.measure, this.zones, this.envelope, this.directions, this.lateTips];
+    const parts = [this.grid, this.extents, this.measure, this.zones, this.envelope, this.directions, this.approximateTcps];
     for (const part of parts) part.recolour(colours);
   }
 }

@@ -26,7 +26,7 @@ export interface Palette {
   outside: Color;
   compare: Color;
   measure: Color;
-  handPath: Color;
+  editedPath: Color;
 }
 
 export function palette(): Palette {
@@ -51,7 +51,7 @@ export function palette(): Palette {
     outside: new Color(vermilion),
     compare: pick("#7a5195", "#cc79a7"),
     measure: pick("#a3195b", "#ff9ad0"),
-    handPath: pick("#a3195b", "#ff9ad0"),
+    editedPath: pick("#a3195b", "#ff9ad0"),
   };
 }
 

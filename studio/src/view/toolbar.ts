@@ -43,7 +43,7 @@ export function createToolbar(store: Store, act: Actions, layers: HTMLElement): 
     "div",
     { class: "tools", role: "toolbar", "aria-label": words.tools, "aria-orientation": "vertical" },
     button("fit", words.fit, "F", (event) => act.fit((event as MouseEvent).shiftKey)),
-    ...stands.map(([name, key]) => button(name, words.stands[name], key, () => act.setStandardView(name))),
+    ...stands.map(([name, key]) => button(name, words.standardViews[name], key, () => act.setStandardView(name))),
     bindPressed(store, "perspective", button("perspective", words.perspective, "P", toggle(store, "perspective"))),
     bindPressed(store, "follow", button("follow", words.follow, "T", toggle(store, "follow"))),
     bindPressed(store, "measuring", button("measure", words.measure, "M", toggle(store, "measuring"))),

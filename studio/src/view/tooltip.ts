@@ -1,7 +1,7 @@
 // Data of the path under the pointer.
 
 import { element } from "../core/dom";
-import { baseName } from "../core/kinds";
+import { baseName } from "../core/file_kinds";
 import type { Units } from "../core/store";
 import { programmedFeedText, timeText } from "../core/units";
 import type { Robot } from "../run/run";

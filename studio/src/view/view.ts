@@ -17,7 +17,7 @@ import { Legend } from "./legend";
 import { Labels } from "./marks/labels";
 import { Triad } from "./marks/triad";
 import { legendKey } from "./path/path_colours";
-import { PathLayer, type Hit, type Look } from "./path/path_layer";
+import { PathLayer, type Hit, type FrameAppearance } from "./path/path_layer";
 import { lastDoneVertex } from "./picking";
 import { Stage } from "./stage";
 import { isDark, palette, toRgb } from "./theme";
@@ -33,17 +33,17 @@ export class View {
   readonly triad = new Triad();
   readonly legend: Legend;
   readonly own: ViewLayers = { machine: true, cell: true, grid: true, extents: false };
-  readonly holds: Draggable[];
+  readonly draggables: Draggable[];
   layer: PathLayer;
   private colours = palette();
   private chosen: Range[][] = [];
   private frame: Frame | null = null;
   private asked = 0;
   /** True while a headset draws, and the page's picture is paused. */
-  private lent = false;
+  private isRendererLent = false;
   /** Called for each move of the camera. */
-  readonly watchers = new Set<() => void>();
-  private readonly resting = new Debounced(() => this.layDirections());
+  readonly cameraListeners = new Set<() => void>();
+  private readonly idleTimer = new Debounced(() => this.placeDirections());
   private tip: Vector3 | null = null;
   /** Run in progress that is partly shown. */
   private taken: Run | null = null;
@@ -59,7 +59,7 @@ export class View {
     this.layer = new PathLayer(canvas.gl);
     this.legend = new Legend(store);
     const { stage, rig } = this;
-    this.holds = createDraggables({
+    this.draggables = createDraggables({
       ...{ store, session, stage, rig, size: canvas },
       changed: () => this.invalidate(),
       moved: () => this.turned(),
@@ -67,9 +67,9 @@ export class View {
     });
     this.recolour();
     onTheme(() => this.recolour());
-    store.watch(["run", "growing"], () => this.takeRun());
+    store.watch(["run", "partialRun"], () => this.updateRun());
     store.watch(["colour", "units"], () => this.explain());
-    store.watch(["compare"], () => this.takePaths());
+    store.watch(["compare"], () => this.updatePaths());
     store.watch(["selection", "robot"], () => this.choose());
     store.watch(["perspective"], () => {
       this.rig.perspective = store.get("perspective");
@@ -77,7 +77,7 @@ export class View {
     });
     store.watch(["follow"], () => (this.tip = null));
     store.watch(["showRapids", "showDirections"], () => this.turned());
-    for (const key of ["time_s", "playing", "showZones", "follow", "jog", "fetched"] as const) store.on(key, () => this.invalidate());
+    for (const key of ["time_s", "playing", "showZones", "follow", "jog", "loadCount"] as const) store.on(key, () => this.invalidate());
   }
 
   /** A frame is drawn soon. */
@@ -90,9 +90,9 @@ export class View {
 
   /** Called after a move of the camera; at standstill, marks are updated for the view. */
   turned(): void {
-    this.resting.after(IDLE_MS);
+    this.idleTimer.after(IDLE_MS);
     this.invalidate();
-    for (const watcher of this.watchers) watcher();
+    for (const listener of this.cameraListeners) listener();
   }
 
   onResized(): void {
@@ -100,17 +100,17 @@ export class View {
     if (this.stage.paths.length === 0) this.fit(false);
     // A canvas of another size is empty until it is drawn.
     this.draw();
-    this.resting.after(IDLE_MS);
+    this.idleTimer.after(IDLE_MS);
   }
 
-  /** Lends renderer and scene to another picture, until takeBack(). */
-  lend(): void {
-    this.lent = true;
+  /** Lends renderer and scene to another picture, until reclaimRenderer(). */
+  lendRenderer(): void {
+    this.isRendererLent = true;
   }
 
   /** Draws the page's picture as before. */
-  takeBack(): void {
-    this.lent = false;
+  reclaimRenderer(): void {
+    this.isRendererLent = false;
     this.canvas.fill();
     this.rig.resize(this.canvas.width_px, this.canvas.height_px);
     this.draw();
@@ -119,13 +119,13 @@ export class View {
 
   restored(): void {
     this.layer = new PathLayer(this.canvas.gl);
-    this.takePaths();
+    this.updatePaths();
   }
 
   private recolour(): void {
     this.colours = palette();
     this.stage.recolour(this.colours);
-    for (const hold of this.holds) hold.recolour(this.colours);
+    for (const hold of this.draggables) hold.recolour(this.colours);
     this.canvas.renderer.setClearColor(this.colours.background);
     this.layer.refresh();
     this.invalidate();
@@ -133,21 +133,21 @@ export class View {
 
   /** Returns the shown run; a long one is shown before its end, as far as it is loaded. */
   private get run() {
-    return this.store.get("growing")?.run ?? this.store.get("run");
+    return this.store.get("partialRun")?.run ?? this.store.get("run");
   }
 
-  private takeRun(): void {
+  private updateRun(): void {
     const { run } = this;
-    const isGrowing = this.store.get("growing") !== null;
+    const isGrowing = this.store.get("partialRun") !== null;
     if (isGrowing && run === this.taken) return this.grow();
     this.taken = isGrowing ? run : null;
     const before = this.stage.paths.length > 0;
     this.stage.setContent(this.run, this.store.get("units"));
     this.tip = null;
-    this.takePaths();
+    this.updatePaths();
     this.choose();
-    this.survey();
-    if (!before || !this.seesWork()) this.fit(false);
+    this.updateVisibleBounds();
+    if (!before || !this.isWorkVisible()) this.fit(false);
     this.turned();
   }
 
@@ -157,8 +157,8 @@ export class View {
     const key = this.key();
     if (key) this.layer.grow(key);
     this.legend.show(key, this.stage.grid.step_mm);
-    this.survey();
-    if (!this.seesWork()) this.fit(false);
+    this.updateVisibleBounds();
+    if (!this.isWorkVisible()) this.fit(false);
     this.turned();
   }
 
@@ -167,7 +167,7 @@ export class View {
     return segments.length > 0 ? legendKey(this.store.get("colour"), segments) : null;
   }
 
-  private takePaths(): void {
+  private updatePaths(): void {
     const previous = this.store.get("compare") ? this.stage.pathsOf(this.store.get("previous")) : [];
     const key = this.key() ?? legendKey(this.store.get("colour"), []);
     this.layer.setContent(this.stage.paths, previous, key);
@@ -178,7 +178,7 @@ export class View {
   private explain(): void {
     const key = this.key();
     if (key) this.layer.colour(key);
-    this.stage.layGrid(this.store.get("units"));
+    this.stage.updateGrid(this.store.get("units"));
     this.legend.show(key, this.stage.grid.step_mm);
     this.invalidate();
   }
@@ -197,7 +197,7 @@ export class View {
     if (robot < 0 || !this.frame) return;
     const [from, to] = this.chosen[robot][0];
     if (to <= from) return;
-    const work = this.frame.instants[robot]?.places.work ?? new Matrix4();
+    const work = this.frame.instants[robot]?.linkPoses.work ?? new Matrix4();
     const place = this.stage.paths[robot].point((from + to - 1) >> 1).applyMatrix4(work);
     const viewed = this.rig.project(place);
     const { width_px, height_px } = this.canvas;
@@ -207,7 +207,7 @@ export class View {
   }
 
   /** True if the work is on the screen, and about as large as at the last fit. */
-  private seesWork(): boolean {
+  private isWorkVisible(): boolean {
     const box = this.stage.workBox(this.works());
     const growth = box.getSize(new Vector3()).length() / this.fittedSize_mm;
     const viewed = this.rig.project(box.getCenter(new Vector3()));
@@ -216,17 +216,17 @@ export class View {
   }
 
   private works(): Matrix4[] {
-    return this.frame?.instants.map(({ places }) => places.work) ?? [];
+    return this.frame?.instants.map(({ linkPoses }) => linkPoses.work) ?? [];
   }
 
   /** Shows the complete path; `all`: also the machine. */
   fit(all: boolean): void {
-    this.survey();
+    this.updateVisibleBounds();
     this.rig.resize(this.canvas.width_px, this.canvas.height_px);
     const work = this.stage.workBox(this.works());
     const frame = this.place().work;
-    for (const hold of this.holds) work.union(hold.box?.(frame) ?? new Box3());
-    this.rig.fit(all ? this.stage.wholeBox() : work);
+    for (const hold of this.draggables) work.union(hold.box?.(frame) ?? new Box3());
+    this.rig.fit(all ? this.stage.fullBox() : work);
     this.fittedSize_mm = work.getSize(new Vector3()).length();
     this.turned();
   }
@@ -253,25 +253,25 @@ export class View {
       const isJogged = i === robot && jog?.length === machine.robot.scene.axes.length;
       return machine.at(t_s, isJogged ? jog : null);
     });
-    const work = instants[robot]?.places.work ?? new Matrix4();
+    const work = instants[robot]?.linkPoses.work ?? new Matrix4();
     this.frame = { t_s, instants, work };
     this.stage.place(instants, work);
     return this.frame;
   }
 
   /** As place(), and sets the depth range of the camera. */
-  private survey(): void {
+  private updateVisibleBounds(): void {
     this.place();
     const { stage } = this;
     if (stage.machines.length === 0) return;
-    const viewed = stage.wholeBox().union(stage.workBox(this.works()));
+    const viewed = stage.fullBox().union(stage.workBox(this.works()));
     this.rig.setVisibleBounds(viewed.expandByScalar(0.5 * viewed.getSize(new Vector3()).length()));
   }
 
   private update(): Frame {
     const { stage, own, store } = this;
     const frame = this.place();
-    stage.light(frame.t_s, this.linesUnderWay(frame));
+    stage.light(frame.t_s, this.activeLines(frame));
     stage.show(own);
     stage.grid.group.visible = own.grid;
     stage.extents.lines.visible = own.extents;
@@ -281,8 +281,8 @@ export class View {
     return frame;
   }
 
-  private linesUnderWay({ t_s, instants }: Frame): SourceLocation[] {
-    return instants.flatMap((_, i) => this.run?.placesAt(i, t_s) ?? []);
+  private activeLines({ t_s, instants }: Frame): SourceLocation[] {
+    return instants.flatMap((_, i) => this.run?.locationsAt(i, t_s) ?? []);
   }
 
   private followTool({ instants }: Frame): void {
@@ -291,7 +291,7 @@ export class View {
     this.tip = tip?.clone() ?? null;
   }
 
-  private look({ t_s, instants }: Frame): Look {
+  private look({ t_s, instants }: Frame): FrameAppearance {
     const { camera } = this.rig;
     const viewed = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
     const theme = isDark() ? "dark" : "light";
@@ -300,14 +300,14 @@ export class View {
     const whole = this.taken !== null || this.store.get("jog") !== null || t_s >= end_s || (t_s <= 0 && !this.store.get("playing"));
     return {
       ...this.canvas.drawn,
-      matrices: instants.map(({ places }) => viewed.clone().multiply(places.work)),
+      matrices: instants.map(({ linkPoses }) => viewed.clone().multiply(linkPoses.work)),
       pixelRatio: this.canvas.pixelRatio,
       mmPerPixel: this.rig.mmPerPixel / this.canvas.pixelRatio,
       rapids: this.store.get("showRapids"),
       compare: this.store.get("compare"),
       compareColour: toRgb(this.colours.compare),
-      now_s: instants.map(({ places, tip_mm }, i) =>
-        whole ? Infinity : lastDoneVertex(this.stage.paths[i], t_s, tip_mm.clone().applyMatrix4(places.work.clone().invert())),
+      now_s: instants.map(({ linkPoses, tip_mm }, i) =>
+        whole ? Infinity : lastDoneVertex(this.stage.paths[i], t_s, tip_mm.clone().applyMatrix4(linkPoses.work.clone().invert())),
       ),
       dimmed: REMAINING_OPACITY[theme],
       lightened: WHITE_SHARE[theme],
@@ -315,17 +315,17 @@ export class View {
   }
 
   /** Places everything for the shown instant, and returns the look of the paths. */
-  arrange(): Look {
+  arrange(): FrameAppearance {
     return this.look(this.update());
   }
 
   private draw(): void {
-    if (this.lent || this.canvas.gl.isContextLost()) return;
+    if (this.isRendererLent || this.canvas.gl.isContextLost()) return;
     const { renderer } = this.canvas;
     const frame = this.update();
     this.rig.apply();
     this.stage.follow(this.rig);
-    this.stage.markTips(frame, (place) => this.rig.mmPerPixelAt(place));
+    this.stage.markTcps(frame, (place) => this.rig.mmPerPixelAt(place));
     const look = this.look(frame);
     const more = this.layer.prepare(look, performance.now());
     renderer.resetState();
@@ -334,23 +334,23 @@ export class View {
     renderer.render(this.stage.scene, this.rig.camera);
     // Dimmed parts show the background, so that is drawn first.
     this.layer.compose(look);
-    this.drawAccents(frame, look);
-    for (const hold of this.holds) hold.draw(renderer, frame.work);
+    this.drawHighlights(frame, look);
+    for (const hold of this.draggables) hold.draw(renderer, frame.work);
     this.annotate(frame);
     if (more === "now") this.invalidate();
     else if (more === "at rest") setTimeout(() => this.invalidate(), IDLE_MS);
   }
 
-  private drawAccents({ instants }: Frame, look: Look): void {
+  private drawHighlights({ instants }: Frame, look: FrameAppearance): void {
     const { stage, layer, colours } = this;
     instants.forEach(({ segment }, robot) => {
       if (segment >= 0 && look.now_s[robot] !== Infinity) {
         const known = stage.machines[robot].robot;
         const ranges = [blockRange(known, stage.paths[robot], known.blocks.of(segment))];
-        layer.accent({ robot, ranges, colour: toRgb(colours.progressColour), width_px: 7, opacity: 0.2 }, look);
+        layer.drawHighlight({ robot, ranges, colour: toRgb(colours.progressColour), width_px: 7, opacity: 0.2 }, look);
       }
       const ranges = this.chosen[robot] ?? [];
-      layer.accent({ robot, ranges, colour: toRgb(colours.selected), width_px: 4, opacity: 1 }, look);
+      layer.drawHighlight({ robot, ranges, colour: toRgb(colours.selected), width_px: 4, opacity: 1 }, look);
     });
   }
 
@@ -358,14 +358,14 @@ export class View {
     const units = this.store.get("units");
     const { stage, rig } = this;
     this.triad.turn(rig.basis());
-    const marks = stage.alarms.labels(this.linesUnderWay(frame));
+    const marks = stage.alarms.labels(this.activeLines(frame));
     const measured = stage.measure.labels(units, frame.work);
     this.labels.show([...marks, ...stage.extents.labels(units, frame.work), ...measured], rig);
   }
 
-  private layDirections(): void {
+  private placeDirections(): void {
     this.rig.apply();
-    for (const hold of this.holds) hold.layOut?.();
+    for (const hold of this.draggables) hold.layOut?.();
     this.invalidate();
     if (!this.store.get("showDirections") || this.stage.paths.length === 0) return;
     const { stage, rig, canvas } = this;

@@ -68,7 +68,7 @@ export default {
       assert.equal(await rows.count(), 4);
       const at = await pointAtContour(page, dialog);
       const told = await dialog.locator(".pointed-at").innerText();
-      assert.match(told, /^Hole at edge #\d+ of the plane face #\d+ at \(.*\): [\d.]+ mm long, 6\.00 mm deep, leans by [\d.]+°$/);
+      assert.match(told, /^Hole at edge #\d+ of the plane face #\d+ at \(.*\): [\d.]+ mm long, 6\.00 mm deep, tilted by [\d.]+°$/);
       await page.mouse.click(...at);
       await saysCut(dialog, 3, 4);
       assert.equal(await dialog.getByRole("checkbox", { name: told }).isChecked(), false);
@@ -111,11 +111,11 @@ export default {
       await dialog.getByRole("button", { name: "None", exact: true }).click();
       await saysCut(dialog, 0, 4);
       await dialog.getByRole("button", { name: "Make path" }).click();
-      await dialog.getByRole("alert").filter({ hasText: "No contour is chosen" }).waitFor();
+      await dialog.getByRole("alert").filter({ hasText: "No contour is selected" }).waitFor();
       // Other contours: all are selected, and the response to the last request counts.
-      for (const side of ["y", "-z", "z"]) await dialog.getByLabel("Faces look along").selectOption(side);
+      for (const side of ["y", "-z", "z"]) await dialog.getByLabel("Direction of the faces").selectOption(side);
       await saysCut(dialog, 4, 4);
-      await dialog.getByLabel("Faces look along").selectOption("-z");
+      await dialog.getByLabel("Direction of the faces").selectOption("-z");
       await saysCut(dialog, 4, 4);
       await dialog.getByLabel("Faces", { exact: true }).fill("nowhere");
       await dialog.getByLabel("Faces", { exact: true }).blur();
@@ -130,8 +130,8 @@ export default {
       const held = await holdContours(page);
       const dialog = await openDialog(page);
       await held.asked(1);
-      await dialog.getByRole("status").filter({ hasText: "are being read" }).waitFor();
-      await dialog.getByLabel("Faces look along").selectOption("-z");
+      await dialog.getByRole("status").filter({ hasText: "Reading the part's contours" }).waitFor();
+      await dialog.getByLabel("Direction of the faces").selectOption("-z");
       await dialog.getByLabel("Bridges").fill("2");
       held.go();
       await saysCut(dialog, 4, 4);
@@ -139,11 +139,11 @@ export default {
       const rows = await dialog.locator("li").filter({ has: page.getByRole("checkbox") }).allInnerTexts();
       assert.equal(rows.length, 4);
       // Contours of the faces below, not of those above with the earlier response.
-      assert.ok(rows.every((row) => /leans by/.test(row) && !row.includes("#933 ")), rows.join("\n"));
+      assert.ok(rows.every((row) => /tilted by/.test(row) && !row.includes("#933 ")), rows.join("\n"));
       assert.equal(await dialog.getByLabel("Bridges").inputValue(), "2");
       await page.unroute("**/ask");
       const late = await holdContours(page);
-      await dialog.getByLabel("Faces look along").selectOption("z");
+      await dialog.getByLabel("Direction of the faces").selectOption("z");
       await late.asked(1);
       await dialog.getByRole("button", { name: "Cancel" }).click();
       await dialog.waitFor({ state: "detached" });

@@ -12,7 +12,7 @@ const SQUARE = "G21 G90 G94 G54\nG1 X100 Y50 Z20 F6000\nG1 X200\nG1 Y150\nM2\n";
 
 const form = (page) => page.locator("#side .data-form");
 const files = (page) => form(page).getByRole("combobox", { name: "Machine data" });
-const list = (page) => form(page).getByRole("combobox", { name: "What the control stores" });
+const list = (page) => form(page).getByRole("combobox", { name: "Stored data of the controller" });
 const dialog = (page) => page.locator("dialog.data-entry");
 const field = (page, name) => dialog(page).getByLabel(name, { exact: true });
 const row = (page, id) =>
@@ -203,11 +203,11 @@ export default {
         assert.deepEqual([await textOf(page, "own.txt"), await undoLabel(page)], [before, ""]);
 
         await addOffset(page, "60", { X: "5" });
-        await dialog(page).getByText(/'60' is no frame/).waitFor();
+        await dialog(page).getByText(/'60' is not a frame/).waitFor();
         assert.equal((await faultOf("Number or name"))[0], "true");
         await field(page, "Number or name").fill("54");
         await page.keyboard.press("Enter");
-        await dialog(page).getByText(/54 is there already/).waitFor();
+        await dialog(page).getByText(/54 exists already/).waitFor();
         await field(page, "Number or name").fill("");
         await page.keyboard.press("Enter");
         await dialog(page).getByText(/needs its number/).waitFor();
@@ -218,7 +218,7 @@ export default {
         await row(page, "1").dblclick();
         await field(page, "XMAX").fill("-5");
         await page.keyboard.press("Enter");
-        await dialog(page).getByText(/the first must be less/).waitFor();
+        await dialog(page).getByText(/min must be less than max/).waitFor();
         assert.equal((await faultOf("XMAX"))[0], "true");
         await field(page, "XMAX").fill("520");
         await field(page, "STATE").selectOption("OFF");
@@ -302,7 +302,7 @@ export default {
       await waitForRow(page, "54 0 0 0 mm");
 
       await openData(page, fileOf("part.txt", "G0 X1\n"));
-      await page.waitForFunction(() => /part\.txt is no machine data/.test(window.studio.store.get("notice")));
+      await page.waitForFunction(() => /part\.txt is not machine data/.test(window.studio.store.get("notice")));
       assert.equal(await page.evaluate(() => window.studio.session.setup.machine_data), "far.txt");
       assert.equal(await page.evaluate(() => window.studio.documents.get("part.txt")), undefined);
     }),

@@ -153,7 +153,7 @@ export default {
       await section("Following errors").locator(".mark").first().click();
       await went(report.following.contour);
       const [excess] = report.efforts.excesses.filter(({ kind }) => kind === "peak");
-      const exceeded = side.locator("section").filter({ has: page.getByRole("heading", { name: /More than the motor has/ }) });
+      const exceeded = side.locator("section").filter({ has: page.getByRole("heading", { name: /More than the motor can deliver/ }) });
       assert.match(await exceeded.locator(".mark").first().innerText(), /axis Y needs/);
       await exceeded.locator(".mark").first().click();
       await went(excess);

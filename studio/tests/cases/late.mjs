@@ -84,7 +84,7 @@ export default {
     withPage(places.studio, async (page) => {
       await setState(page, "time_s", 60);
       await tab(page, "Teach");
-      const along = () => button(page, "Tip along X of the work +").click();
+      const along = () => button(page, "TCP along X of the work +").click();
       const begun = await values(page);
       await answeredLate(page, "pose", along, () => tab(page, "Run"));
       assert.equal(await state(page, "jog"), null, "the run is shown");
@@ -101,7 +101,7 @@ export default {
       await answeredLate(page, "pose", along, () => page.evaluate(() => window.studio.session.run()));
       assert.deepEqual(await values(page), at);
       const jog = await state(page, "jog");
-      assert.equal(await page.locator("#side .teach .said").textContent(), "Another run is shown by now: nothing has moved.");
+      assert.equal(await page.locator("#side .teach .said").textContent(), "Another run is shown now: nothing has moved.");
       await along();
       await page.waitForFunction(([before]) => window.studio.store.get("jog")[0] !== before, jog, { timeout: 20_000 });
 
@@ -135,7 +135,7 @@ export default {
       await answeredLate(page, "data", () => button(page, "Reset").click(), () => change(page, { machine_data: "other.txt" }));
       await page.locator("#side .data-form tbody tr").filter({ hasText: "7" }).waitFor();
       assert.deepEqual([await textOf(page, "own.txt"), await textOf(page, "other.txt")], [DATA, OTHER_DATA]);
-      assert.equal(await state(page, "notice"), "Other data are chosen by now: neither they nor own.txt were changed");
+      assert.equal(await state(page, "notice"), "Other data are selected now: neither they nor own.txt were changed");
     }),
 
   "Save is of the data that were shown, also where others are chosen before a change of them is made": (places) =>
@@ -152,8 +152,8 @@ export default {
   "where another machine is chosen meanwhile neither is changed, and that is said": (places) =>
     withMachine(places, ROUTER, async (page, speed) => {
       await answeredLate(page, "toml", speed, () => change(page, { machine: UNLIMITED }));
-      await page.waitForFunction(() => /^Another file is shown by now/.test(window.studio.store.get("notice")));
-      const [machine, own] = await page.evaluate(() => [window.studio.session.setup.machine, window.studio.documents.ownNames()]);
+      await page.waitForFunction(() => /^Another file is shown now/.test(window.studio.store.get("notice")));
+      const [machine, own] = await page.evaluate(() => [window.studio.session.setup.machine, window.studio.documents.userFileNames()]);
       assert.deepEqual([machine, own], [UNLIMITED, ["move.nc", "mine.toml"]]);
     }),
 
@@ -193,7 +193,7 @@ export default {
         tell[0]();
       });
       await page.waitForTimeout(100);
-      const said = page.locator("#view").getByText("The reach of this machine cannot be told.");
+      const said = page.locator("#view").getByText("The reach of this machine is unknown.");
       assert.equal(await said.isVisible(), false);
       await page.evaluate(() => window.tell[1]());
       await said.waitFor();
@@ -203,11 +203,11 @@ export default {
     withPage(places.studio, async (page) => {
       await page.evaluate(() => {
         const { session } = window.studio;
-        const { inForce } = session;
+        const { activeSettingsAt } = session;
         const isLetGo = new Promise((letGo) => (window.letGo = letGo));
         window.told = 0;
-        session.inForce = async (...place) => {
-          const found = await inForce.call(session, ...place);
+        session.activeSettingsAt = async (...place) => {
+          const found = await activeSettingsAt.call(session, ...place);
           await isLetGo;
           setTimeout(() => ++window.told); // after others that waited for it
           return found;

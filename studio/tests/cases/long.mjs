@@ -60,7 +60,7 @@ const scrubbed = (page, instants_s) =>
       const began = performance.now();
       store.set("time_s", t_s);
       while (!robot.joints_at(t_s)) await new Promise((done) => setTimeout(done, 1));
-      found.push({ axes: robot.axes_at(t_s), places: run.placesAt(0, t_s), kept: run.laws?.count ?? 0, ms: performance.now() - began });
+      found.push({ axes: robot.axes_at(t_s), places: run.locationsAt(0, t_s), kept: run.laws?.count ?? 0, ms: performance.now() - began });
     }
     return found;
   }, instants_s);
@@ -97,7 +97,7 @@ async function clickOnWay(page) {
 /** The cursor on a line brings its start, exactly. */
 async function goToLine(page, line) {
   await untilSettled(page);
-  await page.evaluate((above) => window.studio.store.set("textAsked", { file: "sub/long.nc", line: above }), line - 1);
+  await page.evaluate((above) => window.studio.store.set("requestedLocation", { file: "sub/long.nc", line: above }), line - 1);
   await page.locator("#code .code-place").filter({ hasText: `${line - 1} :` }).waitFor();
   await page.keyboard.press("ArrowDown");
   await page.waitForFunction((expectedValue) => window.studio.store.get("selection")?.line === expectedValue, line, PATIENCE);
@@ -115,9 +115,9 @@ async function goToLine(page, line) {
  * cursor.
  */
 async function saysWhatIsLacking(page) {
-  assert.match(await page.locator("#code .code-status").innerText(), /No times of lines: a long run/);
+  assert.match(await page.locator("#code .code-status").innerText(), /No line times: a long run/);
   await page.keyboard.press("Control+i");
-  await page.locator(".code-hover").filter({ hasText: "what this line takes is not known here" }).waitFor(PATIENCE);
+  await page.locator(".code-hover").filter({ hasText: "the time of this line is not available" }).waitFor(PATIENCE);
   await page.keyboard.press("Escape");
 }
 
@@ -128,15 +128,15 @@ async function goesOnByVertices(page) {
     return segments.sections.find(({ first }) => !segments.locate(first)).start_s + 1;
   });
   await page.evaluate((at_s) => window.studio.store.set("time_s", at_s), t_s);
-  await noticed(page, "Joints and charts here cannot be had");
+  await noticed(page, "Joints and charts are not available here");
   const displayed = await page.evaluate((at_s) => {
     const run = window.studio.store.get("run");
     const [{ segments }] = run.robots;
-    return { joints: segments.joints_at(at_s), tip_mm: segments.tip_mm(at_s), place: run.placesAt(0, at_s)[0] };
+    return { joints: segments.joints_at(at_s), tip_mm: segments.tip_mm(at_s), place: run.locationsAt(0, at_s)[0] };
   }, t_s);
   assert.equal(displayed.joints, null);
   const said = page.locator("#time .feed");
-  assert.deepEqual([await said.innerText(), await said.getAttribute("title")], ["…", "The move that is under way here is still being fetched, or cannot be had"]);
+  assert.deepEqual([await said.innerText(), await said.getAttribute("title")], ["…", "The current move is still being loaded, or is not available"]);
   assert.ok(displayed.tip_mm.every(Number.isFinite) && displayed.place.line > 1000, JSON.stringify(displayed));
   await untilSettled(page);
   await page.keyboard.press("Home");
@@ -175,7 +175,7 @@ export default {
         window.studio.session.change({ program: "sub/endless.lua" });
         void window.studio.session.run();
       });
-      await page.waitForFunction(() => window.studio.store.get("growing")?.count > 100_000, null, PATIENCE);
+      await page.waitForFunction(() => window.studio.store.get("partialRun")?.count > 100_000, null, PATIENCE);
       const laws = (name) =>
         page.evaluate(async (run) => {
           const response = await fetch(`laws/${run}/0`);
@@ -186,7 +186,7 @@ export default {
       await page.locator("#cancel-button").click();
       const left = await page.evaluate(() => {
         const { store } = window.studio;
-        return [store.get("growing"), store.get("run").report.program, store.get("run").isLong];
+        return [store.get("partialRun"), store.get("run").report.program, store.get("run").isLong];
       });
       assert.deepEqual(left, [null, "part.nc", false]);
       let status = 200;
@@ -201,10 +201,10 @@ export default {
         window.studio.session.change({ program: "sub/endless.lua" });
         void window.studio.session.run();
       });
-      await page.waitForFunction(() => window.studio.store.get("growing"), null, PATIENCE);
+      await page.waitForFunction(() => window.studio.store.get("partialRun"), null, PATIENCE);
       assert.equal(await state(page, "run"), null);
       await page.locator("#cancel-button").click();
-      assert.deepEqual([await state(page, "run"), await state(page, "growing")], [null, null]);
+      assert.deepEqual([await state(page, "run"), await state(page, "partialRun")], [null, null]);
       assert.equal((await runProgram(page, "part.nc")).count, 1);
     }, { expected: /404/ }),
 };

@@ -15,7 +15,7 @@ async function at(page, time_s) {
 export default {
   "the page opens from a disk and runs the wheel": (places) =>
     withPage(places.studio, async (page) => {
-      assert.match(await page.locator("#side").innerText(), /The program ran to its end\. Nothing touches, of \d+ pairs of bodies that were looked at\./);
+      assert.match(await page.locator("#side").innerText(), /The program reached its end\. No contact, for \d+ pairs of bodies that were checked\./);
       const report = await page.evaluate(() => window.studio.store.get("run").report);
       assert.equal(report.cycle_time_s, 129.989152064);
     }),

@@ -129,7 +129,7 @@ export default {
       const card = await openCard(page, "X");
       const speed = field(card, "Max speed");
       await fill(card, "Max speed", "fast");
-      assert.match(await card.locator(".key-fault:visible").innerText(), /“fast” is no number/);
+      assert.match(await card.locator(".key-fault:visible").innerText(), /“fast” is not a number/);
       await speed.focus();
       await speed.press("Escape");
       assert.equal(await speed.inputValue(), "150");
@@ -163,7 +163,7 @@ export default {
       const before = await run(page, { program: "stops.nc", machine: "shop.toml" }, { ...program, "mine.toml": own, "shop.toml": machine });
       assert.ok(Math.abs(before.cycle_time_s - still - 2 * 0.5) < 1e-6);
       await openForm(page);
-      const control = await openSection(page, "Control");
+      const control = await openSection(page, "Controller");
       assert.match(await control.innerText(), /until the axes are in position/);
       await fill(control, "Settle", "0.75");
       await ranIn(page, still + 2 * 0.75);
@@ -191,12 +191,12 @@ export default {
       const broken = (await text(page, ROUTER)).replace("max_speed_mm_s = 150.0", "max_sped_mm_s = 150.0");
       await openFiles(page, [{ name: "broken.toml", bytes: broken }]);
       await openForm(page);
-      const fault = form(page).locator(".faults:visible li").first();
-      assert.match(await fault.innerText(), /broken\.toml:23:1 unknown key 'max_sped_mm_s'.*max_speed_mm_s/s);
+      const error = form(page).locator(".faults:visible li").first();
+      assert.match(await error.innerText(), /broken\.toml:23:1 unknown key 'max_sped_mm_s'.*max_speed_mm_s/s);
       // Valid TOML is shown as a form all the same.
       await fill(await openCard(page, "Y"), "Max speed", "140");
       await hasText(page, "broken.toml", "max_speed_mm_s = 140.0");
-      await fault.getByRole("button").click();
+      await error.getByRole("button").click();
       await page.waitForFunction(() => /1 error/.test(document.getElementById("code").innerText), null, { timeout: 10_000 });
       assert.ok((await page.locator("#code .cm-lintRange-error").count()) > 0);
       assert.match(await page.locator("#code .cm-activeLine").first().innerText(), /max_sped_mm_s/);
@@ -219,7 +219,7 @@ export default {
       assert.match(await form(page).locator(".faults:visible").innerText(), /cut\.toml:28:/);
       assert.equal(await form(page).locator("details.card:visible").count(), 0);
       await form(page).getByRole("button", { name: "Edit as text" }).locator("visible=true").click();
-      await page.evaluate(() => window.studio.store.set("textAsked", { file: "cut.toml", line: 28 }));
+      await page.evaluate(() => window.studio.store.set("requestedLocation", { file: "cut.toml", line: 28 }));
       await page.keyboard.press("End");
       await page.keyboard.type('"');
       await openCard(page, "Y");
@@ -248,7 +248,7 @@ export default {
         const first = dialog.locator("fieldset").first();
         await fill(first, "Max speed", "77");
         await fill(first, "Max jerk", "9000");
-        await field(dialog, "Control").selectOption(control);
+        await field(dialog, "Controller").selectOption(control);
         await page.waitForFunction(
           ([name, model]) => {
             const displayed = document.querySelector("dialog.wizard pre").textContent;
@@ -258,7 +258,7 @@ export default {
           { timeout: 20_000 },
         );
         assert.equal(await dialog.locator(".faults:visible").count(), 0);
-        await dialog.getByRole("button", { name: "Take it" }).click();
+        await dialog.getByRole("button", { name: "Create", exact: true }).click();
         await dialog.waitFor({ state: "detached" });
         const file = `number-${i}.toml`;
         assert.equal((await setup(page)).machine, file);
@@ -273,7 +273,7 @@ export default {
         const first_axis = await page.evaluate(() => window.studio.store.get("run").robots[0].scene.axes[0]);
         assert.deepEqual([first_axis.max_speed, first_axis.max_jerk], [77, 9000]);
         const [remark] = (await text(page, file)).split("\n");
-        assert.match(remark, new RegExp(`^# Number ${i}: made of the sample`));
+        assert.match(remark, new RegExp(`^# Number ${i}: made from the sample`));
       }
       await page.locator("#undo-button").click();
     }),
@@ -348,7 +348,7 @@ export default {
         page.evaluate(() => {
           const [robot] = window.studio.store.get("run").robots;
           const frame = robot.scene.frames.findIndex(({ name }) => name === "left clamp 2");
-          return frame < 0 ? null : robot.chain.places(robot.joints_at(0), 0).frames[frame].elements.slice(12, 15);
+          return frame < 0 ? null : robot.chain.linkPoses(robot.joints_at(0), 0).frames[frame].elements.slice(12, 15);
         });
       await page.waitForFunction(() => window.studio.store.get("run").robots[0].scene.frames.some(({ name }) => name === "left clamp 2"));
       await page.waitForTimeout(1500);
@@ -359,9 +359,9 @@ export default {
       assert.match(await text(page, "my-table.toml"), /^ignore = \[\["jet", "slats"\]\]/m);
       assert.equal((await report(page)).status === "input_file", false);
 
-      const pairs = await openSection(page, "May touch");
-      await pairs.getByLabel("One of them").selectOption("nozzle end");
-      await pairs.getByLabel("The other one").selectOption("left clamp");
+      const pairs = await openSection(page, "Allowed contacts");
+      await pairs.getByLabel("First body").selectOption("nozzle end");
+      await pairs.getByLabel("Second body").selectOption("left clamp");
       await pairs.getByRole("button", { name: "Add", exact: true }).click();
       await page.waitForFunction(() => !window.studio.store.get("run").report.collisions?.some(({ pair }) => pair.includes("left clamp") && pair.includes("nozzle end")), null, { timeout: 10_000 });
       await pairs.getByRole("button", { name: /nozzle end – left clamp/ }).click();

@@ -57,19 +57,19 @@ export default {
       await button(page, "Add a fixed or reference point").click();
       assert.deepEqual(await state(page, "pathPoint"), { path: 0, target: 3 });
       assert.deepEqual(await chosenTarget(page), { fixed: "CLAMP1" });
-      const options = await field(page, "Which").locator("option").allInnerTexts();
+      const options = await field(page, "Point").locator("option").allInnerTexts();
       assert.deepEqual(options, ["CLAMP1 (1)", "7", "another one, by number or name"]);
-      await field(page, "Which").selectOption("7");
+      await field(page, "Point").selectOption("7");
       assert.deepEqual(await chosenTarget(page), { fixed: 7 });
-      await put(page, "Called", "PARK");
+      await put(page, "Identifier", "PARK");
       assert.match(await form(page).locator(".form .note:visible").textContent(), /^shop\.txt has no fixed point 'PARK'\.$/);
-      await put(page, "Called", "2nd");
+      await put(page, "Identifier", "2nd");
       assert.match(await said(page), /Not changed: 'fixed' must be the number of a fixed point, or its name/);
       assert.deepEqual(await chosenTarget(page), { fixed: "PARK" });
       await field(page, "Kind").selectOption("reference");
       assert.deepEqual(await chosenTarget(page), { reference: 1 });
-      await field(page, "Which").selectOption("DOCK");
-      await put(page, "Wait on arrival, s", 2);
+      await field(page, "Point").selectOption("DOCK");
+      await put(page, "Dwell on arrival, s", 2);
       await field(page, "action, such as waterjet_on").fill("clamp");
       await field(page, "action, such as waterjet_on").press("Enter");
       await put(page, "Name", "left");
@@ -78,7 +78,7 @@ export default {
       // Only a rapid may follow it.
       await button(page, "Add a point").click();
       assert.equal((await chosenTarget(page)).motion, "rapid");
-      assert.deepEqual(await page.evaluate(() => window.studio.store.get("path").walk.faults), []);
+      assert.deepEqual(await page.evaluate(() => window.studio.store.get("path").walk.errors), []);
       await page.locator("#undo-button").click();
       assert.equal(await undoLabel(page), "changing a fixed or reference point");
       while (await undoLabel(page)) await page.locator("#undo-button").click();
@@ -88,7 +88,7 @@ export default {
       // Later entries of the data are offered, too.
       await choose(page, 0, 3);
       await page.evaluate((text) => window.studio.documents.put("shop.txt", text), DATA.replace("7 350 60 -10", "8 350 60 -10 NAME=PARK"));
-      await field(page, "Which").locator("option", { hasText: "PARK (8)" }).waitFor({ state: "attached" });
+      await field(page, "Point").locator("option", { hasText: "PARK (8)" }).waitFor({ state: "attached" });
     }),
 
   "a path is given a work offset and a tool, and the program has their words and those of a fixed point": (places) =>
@@ -96,25 +96,25 @@ export default {
       await choose(page, 0, 2);
       await button(page, "Add a fixed or reference point").click();
       await choose(page, 0, -1);
-      assert.deepEqual([await field(page, "Its place").count(), await field(page, "Length offset").count()], [0, 0]);
+      assert.deepEqual([await field(page, "Position").count(), await field(page, "Length offset").count()], [0, 0]);
       await put(page, "Work offset", "G55");
-      await field(page, "Its place").selectOption("program");
-      for (const [letter, value] of [["X", 320], ["Y", 40], ["Z", -60]]) await put(page, `Its zero in the machine ${letter}, mm`, value);
+      await field(page, "Position").selectOption("program");
+      for (const [letter, value] of [["X", 320], ["Y", 40], ["Z", -60]]) await put(page, `Its origin in machine coordinates ${letter}, mm`, value);
       await put(page, "Tool", 3);
-      await put(page, "Length offset, 3 where it is empty", 4);
+      await put(page, "Length offset, 3 if empty", 4);
       const [job] = await paths(page);
       assert.deepEqual({ ...job, targets: [] }, { name: "job", work_offset: "G55", set_offset_mm: [320, 40, -60], tool: 3, length_offset: 4, targets: [] });
       await put(page, "Tool", 1.5);
-      assert.match(await said(page), /Not changed: 'tool' must be a whole number from 0/);
+      assert.match(await said(page), /Not changed: 'tool' must be an integer from 0/);
       assert.equal((await paths(page))[0].tool, 3);
 
       // The use of a sub-path has its own frame.
       await choose(page, 0, 4);
       await put(page, "Work offset", "G56");
-      await field(page, "Its place").selectOption("program");
-      await put(page, "Its zero in the machine X, mm", 350);
+      await field(page, "Position").selectOption("program");
+      await put(page, "Its origin in machine coordinates X, mm", 350);
       assert.deepEqual(await chosenTarget(page), { path: "part", work_offset: "G56", set_offset_mm: [350, 0, 0] });
-      await put(page, "Its zero in the machine Z, mm", -60);
+      await put(page, "Its origin in machine coordinates Z, mm", -60);
       await page.locator("#side .write .primary").click();
       await page.waitForFunction(() => window.studio.store.get("run")?.report?.program === "job.nc" && !window.studio.store.get("running"), null, { timeout: 60_000 });
       assert.equal(await page.evaluate(() => window.studio.store.get("run").report.status), "completed");
@@ -132,7 +132,7 @@ export default {
       await put(page, "Work offset", "");
       assert.deepEqual(await chosenTarget(page), { path: "part" });
       await choose(page, 0, -1);
-      await field(page, "Its place").selectOption("control");
+      await field(page, "Position").selectOption("control");
       assert.equal((await paths(page))[0].set_offset_mm, undefined);
       await put(page, "Work offset", "");
       await put(page, "Tool", "");
@@ -149,9 +149,9 @@ export default {
       places,
       async (page) => {
         await choose(page, 1, -1);
-        assert.match(await form(page).locator(".form .note:visible").textContent(), /finds it by a touch/);
+        assert.match(await form(page).locator(".form .note:visible").textContent(), /measures it by a touch/);
         await put(page, "Work offset", "");
-        assert.match(await said(page), /Not changed: 'probe_offset' goes with 'work_offset'/);
+        assert.match(await said(page), /Not changed: 'probe_offset' requires 'work_offset'/);
         assert.equal(await pathText(page), text);
         const recorded = PATH.replace('"paths"', '"work_offsets": {"54": {"X": 1}}, "paths"');
         await page.evaluate((own) => window.studio.documents.put("job.path.json", own), recorded);

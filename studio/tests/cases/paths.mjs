@@ -59,7 +59,7 @@ async function pull(page, axis, by_px, steps = 8) {
 
 /** Writes for a controller, waits for the run, and returns the deviation between both paths, mm. */
 async function writeFor(page, post, program) {
-  await page.locator("#side .write").getByLabel("For", { exact: true }).selectOption(post);
+  await page.locator("#side .write").getByLabel("Post", { exact: true }).selectOption(post);
   const write = page.locator("#side .write .primary");
   await write.click();
   await page.waitForFunction(
@@ -73,11 +73,11 @@ async function writeFor(page, post, program) {
 async function roundTrip(page, program) {
   const said = page.locator("#side .round-trip");
   await page.waitForFunction(
-    (name) => document.querySelector("#side .round-trip").textContent.includes(`way of ${name} is`),
+    (name) => document.querySelector("#side .round-trip").textContent.includes(`path of ${name} is`),
     program,
     { timeout: 30_000 },
   );
-  const [, way, path] = (await said.textContent()).match(/is ([\d.]+) mm off .* path ([\d.]+) mm off/);
+  const [, way, path] = (await said.textContent()).match(/is at most ([\d.]+) mm off .* path file at most ([\d.]+) mm off/);
   const { status } = await page.evaluate(() => window.studio.store.get("run").report);
   return { travel_mm: Number(way), path_mm: Number(path), status };
 }
@@ -123,7 +123,7 @@ export default {
         assert.ok(moved.position_mm[0] > position_mm[0] + 1, `${moved.position_mm}`);
         assert.deepEqual(moved.position_mm.slice(1), position_mm.slice(1));
         assert.equal(await history(page), "moving a point");
-        assert.deepEqual((await page.evaluate(() => window.studio.store.get("path").walk.faults)).map(({ text }) => text), []);
+        assert.deepEqual((await page.evaluate(() => window.studio.store.get("path").walk.errors)).map(({ text }) => text), []);
         await page.locator("#undo-button").click();
         assert.equal(await pathText(page), before);
         await page.locator("#redo-button").click();
@@ -197,7 +197,7 @@ export default {
       assert.deepEqual((await names()).slice(1), ["300,300", "400,300", "400,380"]);
       await page.keyboard.press("ArrowUp");
       await page.keyboard.press("Shift+ArrowDown");
-      await button(page, "Make a path of its own").click();
+      await button(page, "Make a separate sub-path").click();
       assert.deepEqual((await names()).slice(1), ["300,300", "sub-path"]);
       assert.equal((await file(page)).paths[1].targets.length, 2);
       await put(page, "Times", 3);
@@ -209,7 +209,7 @@ export default {
       await choose(page, 0, times - 1);
       assert.deepEqual((await chosenPoint(page)).repeats, 3);
       await put(page, "Times", "1.5");
-      assert.match(await form(page).locator(".said").textContent(), /Not changed: 'repeats' must be a whole number/);
+      assert.match(await form(page).locator(".said").textContent(), /Not changed: 'repeats' must be an integer/);
       for (let undo = await history(page); undo; undo = await history(page)) await page.evaluate(() => window.studio.session.history.undo());
       assert.equal(await state(page, "pathFile"), "", "a file that was begun goes with its first step");
       assert.equal(await page.evaluate(() => window.studio.documents.get("part.path.json")), undefined);
@@ -219,7 +219,7 @@ export default {
     withPage(places.studio, async (page) => {
       await openPath(page, WHEEL);
       await choose(page, 1, 2);
-      const feed = field(page, "Feed, mm/min, 6350 where it is empty");
+      const feed = field(page, "Feed, mm/min, 6350 if empty");
       assert.deepEqual([await feed.inputValue(), await feed.getAttribute("placeholder")], ["", "6350"]);
       await feed.fill("fast");
       await feed.press("Enter");
@@ -310,7 +310,7 @@ export default {
       const refused = page.locator("#side .write .fault").first();
       await refused.filter({ hasText: "sound_horn" }).waitFor();
       await page.locator("#side .write details > summary").click();
-      await page.locator("#side .write").getByLabel("what the control has no word for").check();
+      await page.locator("#side .write").getByLabel("unsupported features as comments").check();
       await page.locator("#side .write").getByLabel("rotary values as given").check();
       assertNear(await writeFor(page, "ab9", "wheel.nc"));
       assert.match(await page.locator("#side .write .notes").textContent(), /sound_horn/);
@@ -330,16 +330,16 @@ export default {
       });
       await openPath(page, WHEEL);
       await form(page).locator(".write details > summary").click();
-      await form(page).getByLabel("sub-paths in files of their own").check();
+      await form(page).getByLabel("sub-paths in separate files").check();
       await form(page).getByLabel("rotary values as given").check();
       await form(page).getByLabel("Program", { exact: true }).fill("out/ring.ngc");
       await form(page).getByLabel("Program", { exact: true }).press("Enter");
       assertNear(await writeFor(page, "posts/mine.toml", "out/ring.ngc"));
-      const names = await page.evaluate(() => window.studio.documents.ownNames().filter((name) => name.startsWith("out/")));
+      const names = await page.evaluate(() => window.studio.documents.userFileNames().filter((name) => name.startsWith("out/")));
       assert.ok(names.length === 4, names.join());
       assert.equal(await page.evaluate(() => window.studio.session.setup.dialect), "rs274ngc");
       await page.evaluate(() => window.studio.session.history.undo());
-      assert.deepEqual(await page.evaluate(() => window.studio.documents.ownNames().filter((name) => name.startsWith("out/"))), []);
+      assert.deepEqual(await page.evaluate(() => window.studio.documents.userFileNames().filter((name) => name.startsWith("out/"))), []);
     }),
 
   "a file that is no path is said with its line": (places) =>
@@ -348,7 +348,7 @@ export default {
       await page.locator("#open-button").click();
       const buffer = Buffer.from('{"paths": [\n{"name": "a", "targets": [{"position_mm": [1, 2]}]}]}');
       await (await chooser).setFiles({ name: "broken.path.json", mimeType: "application/json", buffer });
-      await page.locator("#side .paths > .fault").filter({ hasText: "Line 2, column 27: 'position_mm' must hold three numbers" }).waitFor();
+      await page.locator("#side .paths > .fault").filter({ hasText: "Line 2, column 27: 'position_mm' must contain three numbers" }).waitFor();
       assert.equal(await page.locator("#side .write .primary").isDisabled(), true);
     }),
 };

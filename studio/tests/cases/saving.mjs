@@ -225,7 +225,7 @@ export default {
       await page.keyboard.press("Control+s");
       await page.locator("dialog input").fill("mine.nc");
       await page.keyboard.press("Enter");
-      await noticed(page, "mine.nc is not saved: there is a file of this name already");
+      await noticed(page, "mine.nc is not saved: a file with this name already exists");
       assert.equal(await textOf(page, "mine.nc"), "G21\nM2\n");
       assert.throws(() => served.text("mine.nc"), /ENOENT/);
     }),
@@ -237,8 +237,8 @@ export default {
       await hasMark(page, "part.nc", "");
       const theirs = PART.replace("X20", "X20 F300").replace("X10", "X15");
       served.write("part.nc", theirs);
-      await noticed(page, "part.nc was changed by another program: run anew");
-      assert.match(await page.locator("#undo-button").getAttribute("title"), /^Undo: Take part\.nc from the disk/);
+      await noticed(page, "part.nc was changed by another program: run again");
+      assert.match(await page.locator("#undo-button").getAttribute("title"), /^Undo: Use part\.nc from the disk/);
       await page.locator("#undo-button").click();
       assert.equal(await textOf(page, "part.nc"), PART.replace("X20", "X20 F300"));
       await page.locator("#redo-button").click();

@@ -37,15 +37,15 @@ export default {
       await dialog.getByLabel("Drawing").selectOption("bracket.step");
       await dialog.getByLabel("Speed, mm/min").fill("400");
       await dialog.getByLabel("Kerf, mm").fill("0.8");
-      assert.equal(await dialog.getByText("turned over").isVisible(), true);
+      assert.equal(await dialog.getByText("flipped").isVisible(), true);
       await dialog.getByLabel("Cut", { exact: true }).selectOption("holes");
-      assert.equal(await dialog.getByText("turned over").isVisible(), false);
+      assert.equal(await dialog.getByText("flipped").isVisible(), false);
       for (const [letter, value] of Object.entries({ X: 600, Y: 600, Z: 120 })) await dialog.getByLabel(`Origin at ${letter}`).fill(String(value));
       // A hole is tapered, by 12 degrees.
-      await dialog.getByLabel("Lean at most").fill("5");
+      await dialog.getByLabel("Max tilt").fill("5");
       await dialog.getByRole("button", { name: "Make path" }).click();
-      await dialog.getByRole("alert").filter({ hasText: "more than 5 deg (--max-lean)" }).waitFor();
-      await dialog.getByLabel("Lean at most").fill("60");
+      await dialog.getByRole("alert").filter({ hasText: "more than 5 deg (--max-tilt)" }).waitFor();
+      await dialog.getByLabel("Max tilt").fill("60");
       await dialog.getByRole("button", { name: "Make path" }).click();
       await dialog.waitFor({ state: "detached" });
       await side.getByText(/4 contours, 4 pierces/).waitFor();
@@ -97,7 +97,7 @@ export default {
       assert.equal(await dialog.locator("input").inputValue(), "wheel.nc");
       await dialog.locator("input").fill("../wheel.nc");
       await page.keyboard.press("Enter");
-      assert.match(await dialog.innerText(), /goes without \.\./);
+      assert.match(await dialog.innerText(), /must not contain \.\./);
       await dialog.locator("input").fill("my wheel & all.nc");
       await page.keyboard.press("Enter");
       await noticed(page, "Saved: ");
@@ -105,7 +105,7 @@ export default {
       assert.equal(served.text("new/made.toml"), "a = 1\n");
       assert.equal(served.text("my wheel & all.nc"), "G21\nM2\n");
       const { own, fileMarks } = await page.evaluate(() => ({
-        own: window.studio.documents.isOwn("samples/wheel.nc"),
+        own: window.studio.documents.isUserFile("samples/wheel.nc"),
         fileMarks: window.studio.folder.fileMarks().size,
       }));
       assert.deepEqual([own, fileMarks], [false, 0], "the sample is as it was");
@@ -116,7 +116,7 @@ export default {
       const before_s = await cycleTime(page);
       served.write("part.nc", PART.replace("X20", "X200"));
       await ranAnew(page, before_s);
-      await noticed(page, "part.nc was changed by another program: run anew");
+      await noticed(page, "part.nc was changed by another program: run again");
       assert.match(await page.locator("#code").innerText(), /X200/);
       assert.ok(await page.locator("#save-button").isDisabled());
     }),
@@ -151,8 +151,8 @@ export default {
       await page.waitForFunction(() => document.querySelector('#bar option[value="part.nc"]').textContent === "part.nc ⚠");
       await page.locator("#save-button").click();
       const dialog = page.locator("dialog");
-      assert.match(await dialog.innerText(), /differ first at line 2[^]*G1 X10 F600[^]*G1 X15 F600/);
-      await dialog.getByRole("button", { name: "Keep mine" }).click();
+      assert.match(await dialog.innerText(), /First difference at line 2[^]*G1 X10 F600[^]*G1 X15 F600/);
+      await dialog.getByRole("button", { name: "Keep this page's version" }).click();
       await noticed(page, "Saved: part.nc");
       assert.equal(served.text("part.nc"), PART.replace("X20", "X20 F300"));
       await page.evaluate(() => window.studio.session.history.undo());
@@ -163,7 +163,7 @@ export default {
     withServed(places, files, async (page, served) => {
       await makeConflict(page, served);
       await page.getByRole("button", { name: "Decide…" }).click();
-      await page.locator("dialog").getByRole("button", { name: "Take the one on the disk" }).click();
+      await page.locator("dialog").getByRole("button", { name: "Use the version on disk" }).click();
       await page.waitForFunction(() => /G1 X15/.test(document.getElementById("code").innerText));
       assert.equal(await page.evaluate(() => window.studio.folder.fileMarks().size), 0);
       await page.evaluate(() => window.studio.session.history.undo());
@@ -263,7 +263,7 @@ export default {
         await window.studio.session.run();
         return window.studio.store.get("run");
       });
-      assert.match(error.message, /does not answer/);
+      assert.match(error.message, /does not respond/);
       await noticed(page, "gsim-studio has ended");
       const downloading = page.waitForEvent("download");
       await page.locator("#save-button").click();

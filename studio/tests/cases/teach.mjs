@@ -54,26 +54,26 @@ export default {
       await form(page).getByLabel("Axis Y, mm").fill("800.5");
       await form(page).getByLabel("Axis Y, mm").press("Enter");
       near((await values(page)).Y, 800.5);
-      await form(page).getByLabel("Axis B, between its ends").focus();
+      await form(page).getByLabel("Axis B, between its limits").focus();
       await page.keyboard.press("ArrowLeft");
       assert.ok((await values(page)).B < B);
 
       // While held, it continues; at the end it stops.
-      await form(page).getByLabel("Step of lengths").selectOption("100 mm");
+      await form(page).getByLabel("Linear step").selectOption("100 mm");
       const { x, y } = await button(page, /^Y −/).boundingBox();
       await page.mouse.move(x + 5, y + 5);
       await page.mouse.down();
-      await page.waitForFunction(() => /ends at 0/.test(document.querySelector("#side .teach .said").textContent), null, { timeout: 20_000 });
+      await page.waitForFunction(() => /limit of Y is 0/.test(document.querySelector("#side .teach .said").textContent), null, { timeout: 20_000 });
       await page.mouse.up();
       near((await values(page)).Y, 0);
-      assert.match(await form(page).locator(".joint").nth(1).innerText(), /at its end/);
+      assert.match(await form(page).locator(".joint").nth(1).innerText(), /at its limit/);
       await form(page).getByLabel("Axis C, °").fill("85");
       await form(page).getByLabel("Axis C, °").press("Enter");
-      assert.match(await form(page).locator(".joint").nth(4).innerText(), /5\.00° to its end/);
+      assert.match(await form(page).locator(".joint").nth(4).innerText(), /5\.00° to its limit/);
       await form(page).getByLabel("Axis C, °").fill("95");
       await form(page).getByLabel("Axis C, °").press("Enter");
       near((await values(page)).C, 90);
-      assert.match(await form(page).locator(".said").textContent(), /C ends at 90/);
+      assert.match(await form(page).locator(".said").textContent(), /limit of C is 90/);
 
       // Another form shows the run; afterwards the joints are as before, until they are reset.
       const at = await values(page);
@@ -91,8 +91,8 @@ export default {
     withPage(places.studio, async (page) => {
       await openTeach(page);
       const before = await tip(page);
-      await moves(page, () => button(page, "Tip along Z of the work +").click());
-      await moves(page, () => button(page, "Tip along X of the work −").click());
+      await moves(page, () => button(page, "TCP along Z of the work +").click());
+      await moves(page, () => button(page, "TCP along X of the work −").click());
       const after = await tip(page);
       nearAll(after.tip_mm, [before.tip_mm[0] - 10, before.tip_mm[1], before.tip_mm[2] + 10], 0.001);
       nearAll(after.axis, before.axis, 1e-4);
@@ -103,10 +103,10 @@ export default {
       assert.ok(angle > 0.05 && angle < 0.18, `${angle} rad`);
 
       // Beyond the range it does not go, and says so.
-      await form(page).getByLabel("Step of lengths").selectOption("100 mm");
+      await form(page).getByLabel("Linear step").selectOption("100 mm");
       const at = await values(page);
-      await button(page, "Tip along Z of the work −").click();
-      await form(page).locator(".said.fault").filter({ hasText: "The tip cannot be there: Z would leave its range." }).waitFor();
+      await button(page, "TCP along Z of the work −").click();
+      await form(page).locator(".said.fault").filter({ hasText: "The TCP cannot reach this position: Z would leave its range." }).waitFor();
       assert.deepEqual(await values(page), at);
     }),
 
@@ -166,7 +166,7 @@ export default {
       await run(page, { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" });
       const [{ t_s }] = await page.evaluate(() => window.studio.store.get("run").report.collisions);
       await openTeach(page, t_s + 0.05);
-      await form(page).locator(".said.fault").filter({ hasText: /Here touch: .*(nozzle( end)? – left clamp|left clamp – nozzle)/ }).waitFor();
+      await form(page).locator(".said.fault").filter({ hasText: /Contact: .*(nozzle( end)? – left clamp|left clamp – nozzle)/ }).waitFor();
       await form(page).getByLabel("Axis Z, mm").fill("500");
       await form(page).getByLabel("Axis Z, mm").press("Enter");
       await page.waitForFunction(() => document.querySelector("#side .teach .said").textContent === "", null, { timeout: 20_000 });

@@ -170,7 +170,7 @@ export default {
         assert.equal((await run(page, { program: "samples/wheel.nc", machine_data: "samples/jet.txt" })).status, "completed");
         await tab(page, "Data");
         const form = page.locator("#side .data-form");
-        const list = form.getByRole("combobox", { name: "What the control stores" });
+        const list = form.getByRole("combobox", { name: "Stored data of the controller" });
         await form.locator("tbody tr").first().waitFor();
         await picture(page, places, "data", page.locator("#side"), 390);
 

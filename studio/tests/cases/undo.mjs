@@ -146,7 +146,7 @@ export default {
       const undo = async () => {
         await page.locator("#undo-button").click();
         const { program, machine, dialect } = await setup(page);
-        return [program, machine, dialect, await page.evaluate(() => window.studio.documents.ownNames().length)];
+        return [program, machine, dialect, await page.evaluate(() => window.studio.documents.userFileNames().length)];
       };
       assert.deepEqual(await undo(), ["samples/mill/dome.nc", "samples/machines/mill-head-table.toml", "", 2]);
       assert.deepEqual(await undo(), ["rosette.ngc", "linuxcnc-router.toml", "rs274ngc", 2]);

@@ -52,7 +52,7 @@ async function change(page, label, value) {
 /** As the wheel runs, on the large machine, and there at half the feed. */
 async function threeVariants(page) {
   await tab(page, "Variants");
-  await button(page, "Keep what runs now").click();
+  await button(page, "Store the current setup").click();
   await button(page, "Add variant").click();
   await field(page, "Machine").selectOption(LARGE);
   await change(page, "Name", "large");
@@ -81,7 +81,7 @@ export default {
       await threeVariants(page);
       const table = await rows(page);
       assert.deepEqual(table.map(([name]) => name), [
-        "as it runs now wheel.nc, af5-measured.toml",
+        "current setup wheel.nc, af5-measured.toml",
         "large af5.toml",
         "slow af5.toml, feed 50 %",
       ]);
@@ -102,7 +102,7 @@ export default {
       await compared(page, "large", "slow");
       const said = await saidOf(page);
       assert.match(said, /^“large” is \S+( s)? \(\S+ %\) faster: \S+( s)? against \S+( s)? of “slow”\./);
-      assert.match(said, /The most of it is at line \d+ \+\S+ s \(programmed feed\)/);
+      assert.match(said, /The largest part is at line \d+ \+\S+ s \(programmed feed\)/);
       // The differences of all blocks, and those between them, add up to the total.
       const sums = await page.evaluate(() => {
         const all = [...document.querySelectorAll("#side .variant-compare .differences tbody tr")];
@@ -142,11 +142,11 @@ export default {
       places.studio,
       async (page) => {
         await threeVariants(page);
-        await compared(page, "as it runs now", "slow");
+        await compared(page, "current setup", "slow");
         await form(page).getByLabel("Show both machines on one clock").check();
         const [end_s, other_s] = await page.evaluate(() => {
           const { store } = window.studio;
-          return [store.get("run").end_s, store.get("beside").run.end_s];
+          return [store.get("run").end_s, store.get("comparisonRun").run.end_s];
         });
         assert.ok(other_s > end_s + 1, `${end_s} ${other_s}`);
         await setState(page, "time_s", 20);
@@ -189,7 +189,7 @@ export default {
 
         // A run of the page's own ends it.
         await page.locator("#run-button").click();
-        await page.waitForFunction(() => window.studio.store.get("beside") === null, null, { timeout: 20_000 });
+        await page.waitForFunction(() => window.studio.store.get("comparisonRun") === null, null, { timeout: 20_000 });
         assert.equal(await page.locator("#view .beside").isVisible(), false);
       },
       { width: 1440, height: 900 },
@@ -221,7 +221,7 @@ export default {
         documents.put("endless.lua", endless);
       }, ENDLESS);
       await tab(page, "Variants");
-      await button(page, "Keep what runs now").click();
+      await button(page, "Store the current setup").click();
       await button(page, "Add variant").click();
       await field(page, "Program").selectOption("broken.nc");
       await button(page, "Run").click();
@@ -245,14 +245,14 @@ export default {
   "another control runs in place of the machine's own": (places) =>
     withPage(places.studio, async (page) => {
       await tab(page, "Variants");
-      await button(page, "Keep what runs now").click();
+      await button(page, "Store the current setup").click();
       await button(page, "Copy").click();
-      await field(page, "Control").selectOption("exact-stop");
+      await field(page, "Controller").selectOption("exact-stop");
       await button(page, "Run").click();
       await allRan(page);
       const times = (await rows(page)).map(([, time]) => secondsOf(time));
       assert.ok(times[1] > times[0] + 1, `stopping at each end takes longer: ${times}`);
-      await button(page, "Put into the bar").click();
+      await button(page, "Apply to the bar").click();
       const displayed = await page.evaluate(() => [window.studio.store.get("run").report.controller, window.studio.session.setup.controller]);
       assert.deepEqual(displayed, ["exact-stop", "exact-stop"]);
       await run(page, { program: WHEEL, machine: MEASURED, controller: "exact-stop" });
@@ -299,7 +299,7 @@ export default {
       assert.equal(download.suggestedFilename(), "wheel.variants.json");
       await download.saveAs(file);
       const [one, , slow] = JSON.parse(readFileSync(file, "utf8")).variants;
-      assert.deepEqual(one, { name: "as it runs now", program: WHEEL, machine: MEASURED });
+      assert.deepEqual(one, { name: "current setup", program: WHEEL, machine: MEASURED });
       assert.deepEqual(slow, { name: "slow", program: WHEEL, machine: LARGE, feed_override_percent: 50 });
       assert.equal(await page.evaluate(() => window.studio.documents.unsaved), false);
     })
@@ -318,7 +318,7 @@ export default {
             window.studio.documents.put("bad.variants.json", '{"variants": [{"name": "a", "mchine": ""}]}');
             window.studio.store.set("variantsFile", "bad.variants.json");
           });
-          await form(page).locator(".fault").filter({ hasText: "bad.variants.json cannot be read: variant 1: there is no key 'mchine'." }).waitFor();
+          await form(page).locator(".fault").filter({ hasText: "bad.variants.json cannot be read: variant 1: unknown key 'mchine'." }).waitFor();
         }),
       )
       .finally(() => rmSync(folder, { recursive: true }));
@@ -327,7 +327,7 @@ export default {
   "variants of a served folder are saved there, and read from there": (places) =>
     withServed(places, { "part.nc": "G21 G90\nG1 X10 F600\nG1 X20\nM2\n" }, async (page, served) => {
       await tab(page, "Variants");
-      await button(page, "Keep what runs now").click();
+      await button(page, "Store the current setup").click();
       await button(page, "Copy").click();
       await change(page, "Feed override, %", "200");
       await button(page, "Run all").click();
@@ -341,7 +341,7 @@ export default {
       await page.reload();
       await page.waitForFunction(() => window.studio?.store.get("run")?.report, null, { timeout: 60_000 });
       await tab(page, "Variants");
-      await form(page).getByLabel("File of variants").selectOption("part.variants.json");
+      await form(page).getByLabel("Variants file").selectOption("part.variants.json");
       await page.waitForFunction(() => document.querySelectorAll("#side .variant-list tbody tr").length === 2, null, { timeout: 10_000 });
     }),
 
@@ -358,7 +358,7 @@ export default {
         page.evaluate(() => {
           const { store } = window.studio;
           const [machine] = store.get("run").robots;
-          const blocks = machine.blocks.ofLine(0, 11);
+          const blocks = machine.blocks.blocksOfLine(0, 11);
           return { starts: [...blocks].map((each) => machine.blocks.start_s(each)), t_s: store.get("time_s"), end_s: store.get("run").end_s };
         });
       const { starts, t_s, end_s } = await robot();
@@ -368,38 +368,38 @@ export default {
       assert.equal((await robot()).t_s, starts[1]);
       await here.locator(".modal").filter({ hasText: /G91.*F1500.*by the text above/s }).waitFor();
       const facts = await here.locator(".figure").allInnerTexts();
-      const tip = facts.find((text) => text.startsWith("Tip")).match(/-?\d+\.\d+/g).map(Number);
+      const tip = facts.find((text) => text.startsWith("TCP")).match(/-?\d+\.\d+/g).map(Number);
       near(tip[0], 20, 0.01);
       near(tip[1], 10, 0.01);
 
       await here.getByRole("button", { name: "Make a variant from here" }).click();
       await change(page, "Feed override, %", "200");
-      await button(page, "Keep what runs now").click();
+      await button(page, "Store the current setup").click();
       await button(page, "Run all").click();
       await allRan(page);
       const saved = (await listFile(page)).variants[0];
       assert.deepEqual(saved.from, { file: "loop.nc", line: 11, pass: 2 });
       const [, counted] = (await rows(page))[0];
-      assert.match(counted, /^\S+ s from line 11 on, \S+ s in all$/);
+      assert.match(counted, /^\S+ s from line 11 on, \S+ s in total$/);
       assert.ok(secondsOf(counted) < end_s - starts[1], "with twice the feed the rest is sooner over");
-      await compared(page, "as it runs now", "from line 11");
+      await compared(page, "current setup", "from line 11");
       const said = await saidOf(page);
-      assert.match(said, /^From line 11 on: “from line 11” is \S+ s \(\S+ %\) faster: \S+ s against \S+ s of “as it runs now”\./);
+      assert.match(said, /^From line 11 on: “from line 11” is \S+ s \(\S+ %\) faster: \S+ s against \S+ s of “current setup”\./);
       near(secondsOf(/against (\S+ s)/.exec(said)[1]), end_s - starts[1], 0.0006);
       near(secondsOf(/faster: (\S+ s)/.exec(said)[1]), secondsOf(counted), 0.0006);
-      assert.match(said, /it runs from its start with what the variant has/);
+      assert.match(said, /it runs from its start with the setup of the variant/);
       const lines = await form(page).locator(".variant-compare .differences tbody td:first-child").allInnerTexts();
       assert.ok(lines.every((text) => !/pass 1 of/.test(text)), `${lines}`);
 
       // Lines of a changed text have moved.
       await page.evaluate((text) => window.studio.documents.put("loop.nc", `(one more)\n${text}`), LOOP);
       await here.getByRole("button", { name: "Make a variant from here" }).click();
-      assert.equal(await state(page, "notice"), "The run that is shown is of an earlier loop.nc: run it first");
+      assert.equal(await state(page, "notice"), "The displayed run is of an earlier loop.nc: run it first");
       await page.evaluate((text) => window.studio.documents.put("loop.nc", text), LOOP);
 
       // A line without motion is reported as such.
       await page.locator("#code .cm-line").filter({ hasText: /^M99$/ }).first().click();
-      await here.getByText(/line 13\. The run that is shown has no block of this line/).waitFor();
+      await here.getByText(/line 13\. The displayed run has no block of this line/).waitFor();
       assert.equal(await here.getByRole("button", { name: "Make a variant from here" }).isVisible(), false);
     }),
 };

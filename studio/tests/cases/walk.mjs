@@ -21,7 +21,7 @@ export default {
 
         await page.locator("#gallery-button").click();
         await picture("samples");
-        await page.getByRole("button", { name: /A clamp in the way/ }).click();
+        await page.getByRole("button", { name: /A clamp in the tool path/ }).click();
         await page.waitForFunction(() => window.studio.store.get("run")?.report?.program === "samples/cell/clamp.nc");
         await picture("opened");
 

@@ -29,7 +29,7 @@ export default {
       await clickLine(page, 38);
       await page.waitForFunction(() => window.studio.store.get("selection")?.line === 38);
       const time_s = await state(page, "time_s");
-      const places38 = await page.evaluate((t) => window.studio.store.get("run").placesAt(0, t + 1e-6), time_s);
+      const places38 = await page.evaluate((t) => window.studio.store.get("run").locationsAt(0, t + 1e-6), time_s);
       assert.equal(places38[0].line, 38);
       assert.ok((await difference(page, before, await pictureOfView(page))) > 0.001);
     }),

@@ -123,11 +123,11 @@ export default {
 
   "a page of a finished run has no button for a headset": async (places) => {
     const view = join(dirname(places.studio), "view.html");
-    const { page, faults, close } = await openPage(view, { before: { script: emulateHeadset, argument: {} } });
+    const { page, errors, close } = await openPage(view, { before: { script: emulateHeadset, argument: {} } });
     await page.waitForFunction(() => window.studio);
     assert.equal(await page.evaluate(() => navigator.xr.asked), 0);
     assert.equal(await page.getByRole("button", { name: /VR/ }).count(), 0);
-    assert.deepEqual(faults, []);
+    assert.deepEqual(errors, []);
     await close();
   },
 

@@ -22,18 +22,18 @@ const uniformMotion = (frame, from_s, pose, velocity_mm_s, spin_rad_s = still) =
 export default {
   "joints move their links along and about Z, the tool last": ({ Chain }) => {
     const chain = new Chain(scene());
-    at(chain.places([0, 0], 0).tool, [11, 2, 3]);
-    const places = chain.places([7, Math.PI / 2], 0);
-    at(places.links[0], [0, 0, 0]);
-    at(places.links[1], [1, 2, 10]);
-    at(places.tool, [1, 12, 10]);
-    at(places.work, [0, 0, 0]);
+    at(chain.linkPoses([0, 0], 0).tool, [11, 2, 3]);
+    const linkPoses = chain.linkPoses([7, Math.PI / 2], 0);
+    at(linkPoses.links[0], [0, 0, 0]);
+    at(linkPoses.links[1], [1, 2, 10]);
+    at(linkPoses.tool, [1, 12, 10]);
+    at(linkPoses.work, [0, 0, 0]);
   },
 
   "a base puts all of the machine elsewhere": ({ Chain }) => {
-    const places = new Chain(scene({ base: moved(1000, 0, 0) })).places([0, 0], 0);
-    at(places.tool, [1011, 2, 3]);
-    at(places.work, [1000, 0, 0]);
+    const linkPoses = new Chain(scene({ base: moved(1000, 0, 0) })).linkPoses([0, 0], 0);
+    at(linkPoses.tool, [1011, 2, 3]);
+    at(linkPoses.work, [1000, 0, 0]);
   },
 
   "axes are read in degrees from where their joint is at 0": ({ axisValue, jointValue }) => {
@@ -46,30 +46,30 @@ export default {
   "a drifting frame takes along what is attached to it": ({ Chain }) => {
     const chain = new Chain(scene({ frames, drifts: [uniformMotion(1, 2, moved(100, 0, 0), [10, 0, 0])] }));
     assert.equal(chain.drifting, true);
-    at(chain.places([0, 0], 1).frames[1], [100, 0, 0]);
-    at(chain.places([0, 0], 5).frames[1], [130, 0, 0]);
-    at(chain.places([0, 0], 5).frames[2], [130, 5, 0]);
+    at(chain.linkPoses([0, 0], 1).frames[1], [100, 0, 0]);
+    at(chain.linkPoses([0, 0], 5).frames[1], [130, 0, 0]);
+    at(chain.linkPoses([0, 0], 5).frames[2], [130, 5, 0]);
   },
 
   "a drift holds until the next of its frame, and turns about its own origin": ({ Chain }) => {
     const turning = uniformMotion(1, 6, moved(50, 0, 0), still, [0, 0, Math.PI / 4]);
     const chain = new Chain(scene({ frames, drifts: [uniformMotion(1, 2, moved(100, 0, 0), [10, 0, 0]), turning] }));
-    at(chain.places([0, 0], 5.9).frames[1], [139, 0, 0]);
-    const { frames: placed } = chain.places([0, 0], 8);
+    at(chain.linkPoses([0, 0], 5.9).frames[1], [139, 0, 0]);
+    const { frames: placed } = chain.linkPoses([0, 0], 8);
     at(placed[1], [50, 0, 0]);
     at(placed[2], [45, 0, 0]);
   },
 
   "a drift that is told anew from an earlier time replaces those behind it": ({ Chain }) => {
     const drifts = [uniformMotion(1, 2, moved(100, 0, 0), [10, 0, 0]), uniformMotion(1, 2, moved(100, 0, 0), [0, 1, 0])];
-    at(new Chain(scene({ frames, drifts })).places([0, 0], 4).frames[1], [100, 2, 0]);
+    at(new Chain(scene({ frames, drifts })).linkPoses([0, 0], 4).frames[1], [100, 2, 0]);
   },
 
   "where the base drifts the machine goes along, and the work stays": ({ Chain }) => {
     const drifts = [uniformMotion(0, 0, moved(1, 2, 3), [0, 20, 0])];
-    const places = new Chain(scene({ frames, drifts })).places([0, 0], 2);
-    at(places.tool, [11, 42, 3]);
-    at(places.work, [0, 0, 0]);
-    at(places.frames[0], [1, 42, 3]);
+    const linkPoses = new Chain(scene({ frames, drifts })).linkPoses([0, 0], 2);
+    at(linkPoses.tool, [11, 42, 3]);
+    at(linkPoses.work, [0, 0, 0]);
+    at(linkPoses.frames[0], [1, 42, 3]);
   },
 };

@@ -119,24 +119,24 @@ export default {
   },
 
   "lines of a run are found again in a text that has been edited": ({ EditorFile, EditorState }) => {
-    const sheet = new EditorFile("a.nc", EditorState.create({ doc: "one\ntwo\nthree\n" }));
+    const editorFile = new EditorFile("a.nc", EditorState.create({ doc: "one\ntwo\nthree\n" }));
     const edit = (from, to, insert) => {
-      const { state, changes } = sheet.state.update({ changes: { from, to, insert } });
-      sheet.state = state;
-      sheet.changed(changes.desc);
+      const { state, changes } = editorFile.state.update({ changes: { from, to, insert } });
+      editorFile.state = state;
+      editorFile.changed(changes.desc);
     };
     edit(4, 4, "new\n");
-    assert.deepEqual([1, 2, 3].map((line) => sheet.fromRunLine(line)), [1, 3, 4]);
-    assert.deepEqual([1, 2, 3, 4].map((line) => sheet.toRunLine(line)), [1, 0, 2, 3]);
-    assert.deepEqual([sheet.isModified, sheet.isChangedSinceRun, sheet.touched(1), sheet.touched(3)], [true, true, false, false]);
-    sheet.beginRun();
+    assert.deepEqual([1, 2, 3].map((line) => editorFile.fromRunLine(line)), [1, 3, 4]);
+    assert.deepEqual([1, 2, 3, 4].map((line) => editorFile.toRunLine(line)), [1, 0, 2, 3]);
+    assert.deepEqual([editorFile.isModified, editorFile.isChangedSinceRun, editorFile.isEditedSinceRun(1), editorFile.isEditedSinceRun(3)], [true, true, false, false]);
+    editorFile.beginRun();
     edit(0, 0, "more\n");
-    sheet.endRun(true);
-    assert.deepEqual([1, 2].map((line) => sheet.fromRunLine(line)), [2, 3]);
+    editorFile.endRun(true);
+    assert.deepEqual([1, 2].map((line) => editorFile.fromRunLine(line)), [2, 3]);
     // One that had been made before is shown while its texts are what they were.
-    sheet.endRun(false);
-    assert.deepEqual([1, 2].map((line) => sheet.fromRunLine(line)), [1, 2]);
-    assert.equal(sheet.isChangedSinceRun, false);
+    editorFile.endRun(false);
+    assert.deepEqual([1, 2].map((line) => editorFile.fromRunLine(line)), [1, 2]);
+    assert.equal(editorFile.isChangedSinceRun, false);
   },
 
   "findings of a file are told once, of a run those of all its robots": ({ fileFindings, runFindings, toDiagnostic, Text }) => {
@@ -151,15 +151,15 @@ export default {
   },
 
   "a text is edited until it is as it was kept last": ({ EditorFile, EditorState }) => {
-    const sheet = new EditorFile("a.nc", EditorState.create({ doc: "one" }));
-    const put = (text) => (sheet.state = sheet.state.update({ changes: { from: 0, to: sheet.doc.length, insert: text } }).state);
-    assert.equal(sheet.isModified, false);
+    const editorFile = new EditorFile("a.nc", EditorState.create({ doc: "one" }));
+    const put = (text) => (editorFile.state = editorFile.state.update({ changes: { from: 0, to: editorFile.doc.length, insert: text } }).state);
+    assert.equal(editorFile.isModified, false);
     put("two");
-    assert.equal(sheet.isModified, true);
-    sheet.saved();
-    assert.equal(sheet.isModified, false);
+    assert.equal(editorFile.isModified, true);
+    editorFile.saved();
+    assert.equal(editorFile.isModified, false);
     put("one");
-    assert.equal(sheet.isModified, true);
+    assert.equal(editorFile.isModified, true);
   },
 
   "of another text the least is changed, whatever ends its lines": ({ textChange, Text }) => {

@@ -14,7 +14,7 @@ const size = { width: 400, height: 200 };
 const square = (x, y, z = 0) =>
   new Float64Array([[-10, -10], [10, -10], [10, 10], [-10, 10], [-10, -10]].flatMap(([dx, dy]) => [x + dx, y + dy, z]));
 /** Straight from above, X to the right. */
-const above = { yaw_rad: -Math.PI / 2, elevation_rad: Math.PI / 2, zoom: 1, aside_mm: [0, 0] };
+const above = { yaw_rad: -Math.PI / 2, elevation_rad: Math.PI / 2, zoom: 1, pan_mm: [0, 0] };
 
 export default {
   "an edge of each contour that is cut chooses it, and none where all are": ({ selectedEdges, selectedContours }) => {
@@ -52,26 +52,26 @@ export default {
   },
 
   "a contour is told by kind, edge, face and sizes, in the page's unit": ({ contourText }) => {
-    assert.equal(contourText(three[0], "mm"), "Hole at edge #1 of the plane face #1: 30.00 mm long, 6.00 mm deep, leans by 12.0°");
+    assert.equal(contourText(three[0], "mm"), "Hole at edge #1 of the plane face #1: 30.00 mm long, 6.00 mm deep, tilted by 12.0°");
     assert.match(contourText(contour([""], { isHole: false, length_mm: 25.4 }), "inch"), /^Outline of the plane face #1: 1\.000 in long/);
   },
 
-  "lines are seen without perspective, and fit into the picture": ({ drawn, lineExtent, pixelsPerMm }) => {
+  "lines are seen without perspective, and fit into the picture": ({ projectLine, lineExtent, pixelsPerMm }) => {
     const extent = lineExtent([square(0, 0), square(100, 0)], above);
     assert.deepEqual(extent.middle, [50, 0, 0]);
     near(extent.width_mm, 120);
     near(extent.height_mm, 20);
     const scale = pixelsPerMm(extent, above, size);
     near(scale * 120, 400 * 0.88, 1e-9);
-    const line = drawn(square(0, 0), extent, above, size);
+    const line = projectLine(square(0, 0), extent, above, size);
     // Its first corner is to the left of the middle and below it.
     near(line[0], 200 - 60 * scale, 1e-4);
     near(line[1], 100 + 10 * scale, 1e-4);
     near(line[2] - line[0], 20 * scale, 1e-4);
     // Height does not show from above, and is all that shows from the side.
-    near(drawn(square(0, 0, 7), extent, above, size)[1], line[1], 1e-4);
+    near(projectLine(square(0, 0, 7), extent, above, size)[1], line[1], 1e-4);
     const level = { ...above, elevation_rad: 0 };
-    near(drawn(square(0, 0, 7), extent, level, size)[1], 100 - 7 * scale, 1e-4);
+    near(projectLine(square(0, 0, 7), extent, level, size)[1], 100 - 7 * scale, 1e-4);
   },
 
   "faces that look to a side are seen from there": ({ initialCamera }) => {
@@ -88,23 +88,23 @@ export default {
     near(turned(above, 100, 0).yaw_rad, above.yaw_rad - 1);
   },
 
-  "what is under the pointer stays there as the picture is zoomed": ({ drawn, lineExtent, zoomCamera }) => {
+  "what is under the pointer stays there as the picture is zoomed": ({ projectLine, lineExtent, zoomCamera }) => {
     const extent = lineExtent([square(0, 0)], above);
-    const before = drawn(square(0, 0), extent, above, size);
+    const before = projectLine(square(0, 0), extent, above, size);
     const camera = zoomCamera(above, 3, extent, size, before[2], before[3]);
-    const after = drawn(square(0, 0), extent, camera, size);
+    const after = projectLine(square(0, 0), extent, camera, size);
     near(after[2], before[2], 1e-3);
     near(after[3], before[3], 1e-3);
     near(after[2] - after[0], 3 * (before[2] - before[0]), 1e-3);
     const back = zoomCamera(camera, 1 / 3, extent, size, before[2], before[3]);
-    near(back.aside_mm[0], 0, 1e-9);
-    near(back.aside_mm[1], 0, 1e-9);
+    near(back.pan_mm[0], 0, 1e-9);
+    near(back.pan_mm[1], 0, 1e-9);
   },
 
-  "the nearest line is found within some pixels": ({ drawn, lineExtent, nearestLine }) => {
+  "the nearest line is found within some pixels": ({ projectLine, lineExtent, nearestLine }) => {
     const lines_mm = [square(0, 0), square(100, 0)];
     const extent = lineExtent(lines_mm, above);
-    const lines = lines_mm.map((line) => drawn(line, extent, above, size));
+    const lines = lines_mm.map((line) => projectLine(line, extent, above, size));
     const [x, y] = lines[1];
     assert.equal(nearestLine(lines, x + 3, y + 4, 9), 1);
     assert.equal(nearestLine(lines, (lines[0][0] + lines[0][2]) / 2, lines[0][1] - 2, 9), 0);

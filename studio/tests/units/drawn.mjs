@@ -66,7 +66,7 @@ export default {
     const widened = (group) => {
       const probe = new CurveSampler(segments, group);
       const [low, high] = [new Float32Array(probe.width).fill(Infinity), new Float32Array(probe.width).fill(-Infinity)];
-      probe.expand(probe.spot(0), low, high, 0);
+      probe.expand(probe.segmentRef(0), low, high, 0);
       return [low[0], high[0]];
     };
     assert.deepEqual(widened("path"), [0, 10]);

@@ -30,7 +30,7 @@ export default {
     assert.equal(documents.unsaved, false);
     documents.put("new.txt", "NCFILE\nENDFILE\n");
     documents.put("mesh.stl", "solid");
-    assert.deepEqual(documents.ownNames().map((name) => documents.isUnsaved(name)), [false, false, true, true]);
+    assert.deepEqual(documents.userFileNames().map((name) => documents.isUnsaved(name)), [false, false, true, true]);
     assert.deepEqual(documents.save("new.txt"), bytesOf("NCFILE\nENDFILE\n"));
     assert.equal(documents.isUnsaved("new.txt"), false);
     documents.put("new.txt", "NCFILE\n");

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-export const modules = ["core/folder", "core/history", "core/documents", "core/turns", "core/store", "core/path_editing", "texts"];
+export const modules = ["core/folder", "core/history", "core/documents", "core/task_queues", "core/store", "core/path_editing", "texts"];
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 const textOf = (bytes) => new TextDecoder().decode(bytes);
@@ -90,7 +90,7 @@ async function opened({ Folder, History, Documents, Store, initialState }, disk,
   const type = (name, text) => {
     const before = { documents: { [name]: documents.own(name) ?? null } };
     documents.put(name, text);
-    history.made(`typing in ${name}`, before);
+    history.recordChange(`typing in ${name}`, before);
   };
   const folder = new Folder(server, session);
   await folder.open();
@@ -134,19 +134,19 @@ export default {
     store.set("pathFile", "a.path.json");
     assert.deepEqual([store.get("pathFile"), store.get("path"), documents.exists("b.variants.json")], ["a.path.json", null, true]);
     await open();
-    assert.deepEqual([store.get("path")?.name, store.get("path")?.fault], ["a.path.json", ""]);
+    assert.deepEqual([store.get("path")?.name, store.get("path")?.error], ["a.path.json", ""]);
     server.files.delete("a.path.json");
     await server.tell("a.path.json", undefined);
     assert.deepEqual([store.get("pathFile"), store.get("path")], ["", null]);
   },
 
-  "turns of one name wait for each other, whatever became of those before": async ({ Turns }) => {
-    const turns = new Turns();
+  "turns of one name wait for each other, whatever became of those before": async ({ TaskQueues }) => {
+    const taskQueues = new TaskQueues();
     const done = [];
     let open;
-    const fails = turns.accept("a", () => new Promise((_, fail) => (open = () => fail(new Error("first")))));
-    const behind = turns.accept("a", async () => done.push("second of a"));
-    await turns.accept("b", async () => done.push("b"));
+    const fails = taskQueues.accept("a", () => new Promise((_, fail) => (open = () => fail(new Error("first")))));
+    const behind = taskQueues.accept("a", async () => done.push("second of a"));
+    await taskQueues.accept("b", async () => done.push("b"));
     assert.deepEqual(done, ["b"]);
     open();
     await assert.rejects(fails, /first/);
@@ -228,7 +228,7 @@ export default {
     type("a.nc", "12");
     await server.change("a.nc", "theirs");
     const open = gate(server, "read");
-    const taken = folder.takeTheirs("a.nc");
+    const taken = folder.loadDiskVersion("a.nc");
     await untilSettled();
     editor.kept = ["a.nc", "123"];
     await open();
@@ -244,7 +244,7 @@ export default {
     await server.change("a.nc", "theirs");
     server.before = () => Promise.reject(new Error("no network"));
     assert.equal((await folder.keepMine("a.nc")).kind, "failed");
-    await folder.takeTheirs("a.nc");
+    await folder.loadDiskVersion("a.nc");
     assert.match(notices.at(-1), /a\.nc could not be read/);
   },
 
@@ -294,7 +294,7 @@ export default {
     assert.equal((await saved).kind, "saved");
     assert.deepEqual([server.files.get("mine.nc"), documents.text("mine.nc")], ["G21\nG1\n", "G21\nG1 X1\n"]);
     assert.deepEqual([session.setup.program, folder.markFor("mine.nc")], ["mine.nc", "unsaved"]);
-    assert.equal(documents.isOwn("samples/wheel.nc"), false);
+    assert.equal(documents.isUserFile("samples/wheel.nc"), false);
     history.undo();
     assert.equal(documents.text("samples/wheel.nc"), "G21\nG1 X1\n");
   },

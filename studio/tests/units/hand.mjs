@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { near, runOf, scene } from "./made.mjs";
 
 export const modules = [
-  ...["run/run", "run/chain", "run/path/tool_direction", "run/path/rotary_solver", "run/path/rotate_orientation", "view/camera", "view/hand_path/grips"],
+  ...["run/run", "run/chain", "run/path/tool_direction", "run/path/rotary_solver", "run/path/rotate_orientation", "view/camera", "view/path_editing/handle_grips"],
   ...["core/store", "core/path_editing", "panels/teach/jog_state", "panels/paths/target_selection", "panels/paths/tree_rows", "three"],
 ];
 
@@ -30,7 +30,7 @@ const head = () =>
       ],
       end: identity,
     },
-    tips_mm: [[0, 0, -30]],
+    tcps_mm: [[0, 0, -30]],
   });
 
 const turn = ({ Quaternion, Vector3 }, about, degrees) =>
@@ -143,8 +143,8 @@ export default {
     const store = new page.Store(page.initialState());
     const state = new page.JogState(store);
     assert.equal(state.frame, null);
-    const { axes, tool_side, tips_mm } = head();
-    const run = runOf(page, [{ line: 1, duration_s: 1 }], { more: { axes, tool_side, tips_mm } });
+    const { axes, tool_side, tcps_mm } = head();
+    const run = runOf(page, [{ line: 1, duration_s: 1 }], { more: { axes, tool_side, tcps_mm } });
     run.robots[0].joints_at = () => [7, 0, 0];
     store.set("run", run);
     state.begin();
@@ -158,7 +158,7 @@ export default {
     assert.equal(store.get("jog"), null);
     state.begin();
     assert.deepEqual(state.values.map(Math.round), [200, -90, 5]);
-    const other = runOf(page, [{ line: 1, duration_s: 1 }], { more: { axes, tool_side, tips_mm, machine: "another" } });
+    const other = runOf(page, [{ line: 1, duration_s: 1 }], { more: { axes, tool_side, tcps_mm, machine: "another" } });
     other.robots[0].joints_at = () => [9, 0, 0];
     store.set("run", other);
     state.begin();
@@ -206,6 +206,6 @@ export default {
     const circle = toDisplayedPath("y", '{"paths": [{"name": "a", "targets": [{"path": "a"}]}]}');
     state.set("0", true);
     state.set("0/0", true);
-    assert.deepEqual([...visibleRows(circle, state)].map(({ below, fault }) => [below, fault]), [[0, ""], [-1, "The path 'a' leads back to itself."]]);
+    assert.deepEqual([...visibleRows(circle, state)].map(({ below, error }) => [below, error]), [[0, ""], [-1, "The path 'a' contains itself."]]);
   },
 };

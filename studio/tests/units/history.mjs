@@ -15,7 +15,7 @@ function made({ History, Documents }, samples = {}, mostCharacters = undefined) 
   const type = (name, text, merge = "type") => {
     const before = { documents: { [name]: documents.own(name) ?? null } };
     documents.put(name, text);
-    history.made(`typing in ${name}`, before, merge);
+    history.recordChange(`typing in ${name}`, before, merge);
   };
   return { documents, session, history, told, type };
 }
@@ -77,7 +77,7 @@ export default {
     history.edit("none", { documents: {}, setup: { machine: "" } });
     documents.put("a.txt", "1");
     history.edit("none", { documents: { "a.txt": "1" } });
-    history.made("none", { documents: { "a.txt": "1" } });
+    history.recordChange("none", { documents: { "a.txt": "1" } });
     assert.deepEqual([history.undoLabel, told], ["", []]);
   },
 
@@ -116,7 +116,7 @@ export default {
       history.edit("drag", { setup: { machine: "n" } }, "drag");
     });
     history.undo();
-    assert.deepEqual([documents.ownNames(), session.setup.machine, history.undoLabel], [[], "", ""]);
+    assert.deepEqual([documents.userFileNames(), session.setup.machine, history.undoLabel], [[], "", ""]);
     history.redo();
     assert.deepEqual([documents.own("a.txt"), documents.own("b.txt"), session.setup.machine], ["2", "1", "n"]);
   },

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { lawOf, near, slope, steady } from "./made.mjs";
 
-export const modules = ["run/law", "run/arc", "run/head", "run/evaluate", "run/kinds"];
+export const modules = ["run/time_law", "run/arc", "run/orientation_arc", "run/evaluate", "run/kinds"];
 
 /** From standstill with jerk, at a speed, and to standstill: 4 s. */
 const curve = Float64Array.from(lawOf(0, [[1, 0, 6], [2, 0, 0], [1, 0, -6]]));

@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { leanMessage, longRunOf, near, runOf } from "./made.mjs";
 
 export const modules = [
-  ...["run/run", "run/segments", "run/run_section", "run/chunk_cache", "run/blocks", "core/store", "core/navigation", "core/display_state", "core/fetching"],
-  ...["time/steps", "time/process", "time/charts/overview", "time/charts/curve_sampler", "code/block_facts"],
-  ...["view/path/path_data", "view/path/path_colours", "view/path/plan", "view/selected_ranges"],
+  ...["run/run", "run/segments", "run/run_section", "run/chunk_cache", "run/blocks", "core/store", "core/navigation", "core/display_state", "core/chunk_loading"],
+  ...["time/steps", "time/process", "time/charts/overview", "time/charts/curve_sampler", "code/block_summary"],
+  ...["view/path/path_data", "view/path/path_colours", "view/path/draw_plan", "view/selected_ranges"],
 ];
 
 const move = (line, duration_s, more = {}) => ({ line, duration_s, from: [line, 0], to: [line + 1, 0], ...more });
@@ -19,7 +19,7 @@ const soon = () => new Promise((done) => setTimeout(done));
 function displayed(page, run) {
   const store = new page.Store(page.initialState());
   page.loadVisiblePart(store);
-  if (run.laws) run.laws.come = () => store.set("fetched", store.get("fetched") + 1);
+  if (run.laws) run.laws.onLoaded = () => store.set("loadCount", store.get("loadCount") + 1);
   store.set("run", run);
   return store;
 }
@@ -68,12 +68,12 @@ export default {
       const flags = segments.flagsAt(t_s);
       return flags === null ? null : page.decodeKind(flags);
     };
-    const line_at = (t_s) => run.placeOfMotion(0, t_s)?.line ?? null;
+    const line_at = (t_s) => run.locationOfMotion(0, t_s)?.line ?? null;
     const instants_s = [3.5, 4.5, 5.5, 6.9, 7.5, 8.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5];
     assert.deepEqual(instants_s.map(kind_at), [1, 1, null, null, null, null, null, null, null, 1, null, null]);
     assert.deepEqual(instants_s.map(line_at), [4, 5, null, null, null, 8, 8, null, null, 11, 12, 12]);
     assert.deepEqual([5.5, 10.5, 14.5].map((t_s) => segments.at(t_s)), [6, 10, 12], "the move behind, or the last");
-    for (const index of [4, 12]) await segments.need(index);
+    for (const index of [4, 12]) await segments.fetchNow(index);
     assert.deepEqual(instants_s.map(kind_at), [1, 1, 4, 4, 1, 4, 1, 4, 4, 1, 4, 4]);
     assert.deepEqual(instants_s.map(line_at), [4, 5, 6, 6, 7, 8, 8, 9, 10, 11, 12, 12]);
     assert.deepEqual([kind_at(15.5), segments.at(99)], [null, 12]);
@@ -88,7 +88,7 @@ export default {
     assert.deepEqual(asked, []);
     store.set("time_s", 9.25);
     await soon();
-    assert.deepEqual([asked, store.get("fetched")], [[2], 1]);
+    assert.deepEqual([asked, store.get("loadCount")], [[2], 1]);
     const whole = runOf(page, PARTS.flat()).robots[0];
     for (const t_s of [8, 8.5, 9.25, 11.999]) assert.deepEqual(robot.joints_at(t_s), whole.joints_at(t_s));
     assert.deepEqual([robot.segments.info(9).line, robot.segments.speed_at(9.25)], [10, whole.segments.speed_at(9.25)]);
@@ -103,7 +103,7 @@ export default {
   "of many instants that are passed the last one counts": async (page) => {
     const asked = [];
     const run = longRunOf(page, PARTS, { whole: 0, fetched: (number) => asked.push(number) });
-    for (const t_s of [1, 5, 9, 13]) run.want(t_s);
+    for (const t_s of [1, 5, 9, 13]) run.prefetch(t_s);
     for (let i = 0; i < 4; ++i) await soon();
     assert.deepEqual(asked, [0, 3]);
   },
@@ -121,12 +121,12 @@ export default {
       const chunk = messages.get(number);
       return { is: "segments", header: { first: chunk.first }, columns: new Map(Object.entries(chunk)) };
     }, 3);
-    for (const i of [0, 1, 2]) assert.equal(await laws.need(sections[i]), true);
+    for (const i of [0, 1, 2]) assert.equal(await laws.fetchNow(sections[i]), true);
     assert.equal(laws.get(sections[0]).first, 0);
-    await laws.need(sections[3]);
+    await laws.fetchNow(sections[3]);
     assert.deepEqual([laws.count, laws.get(sections[1])], [3, null]);
     assert.deepEqual([0, 2, 3].map((i) => laws.get(sections[i])?.first), [0, 8, 12]);
-    await Promise.all([laws.need(sections[1]), laws.need(sections[1])]);
+    await Promise.all([laws.fetchNow(sections[1]), laws.fetchNow(sections[1])]);
     assert.deepEqual([asked, laws.count], [[0, 1, 2, 3, 1], 3]);
   },
 
@@ -138,14 +138,14 @@ export default {
       },
     });
     run.laws.failed = (why) => said.push(why);
-    assert.equal(await run.robots[0].segments.need(9), false);
+    assert.equal(await run.robots[0].segments.fetchNow(9), false);
     assert.deepEqual([said, run.robots[0].joints_at(9.5)], [["it has ended"], null]);
-    assert.equal(await run.robots[0].segments.need(5), true, "the next one is asked for all the same");
+    assert.equal(await run.robots[0].segments.fetchNow(5), true, "the next one is asked for all the same");
     const other = longRunOf(page, PARTS.map((part) => part.slice(1)));
     const section = new page.RunSection(3, leanMessage(lines(5, 4), 3, 4), 1, undefined);
     other.laws.failed = (why) => said.push(why);
-    assert.equal(await other.laws.need(section), false);
-    assert.match(said[1], /of another run/);
+    assert.equal(await other.laws.fetchNow(section), false);
+    assert.match(said[1], /another run/);
   },
 
   "blocks behind the table: of a line, of an instant, before and after": async (page) => {
@@ -153,16 +153,16 @@ export default {
     const loop = [move(2, 1), move(3, 1), move(2, 1), move(3, 1)];
     const run = longRunOf(page, [loop, loop, [move(2, 1), move(7, 1), move(7, 1)], [move(7, 1), move(8, 1)]]);
     const { blocks, segments } = run.robots[0];
-    assert.deepEqual([blocks.tabled, [...blocks.ofLine(0, 2)], [...blocks.behindTable({ file: 0, line: 2 })]], [4, [0, 2], [4, 6, 8]]);
+    assert.deepEqual([blocks.tabled, [...blocks.blocksOfLine(0, 2)], [...blocks.behindTable({ file: 0, line: 2 })]], [4, [0, 2], [4, 6, 8]]);
     assert.deepEqual([9, 10, 11, 12].map((segment) => blocks.of(segment)), [9, 9, 9, 12]);
     assert.deepEqual([blocks.first(9), blocks.end(9), blocks.after(9), blocks.before(12), blocks.before(4), blocks.after(12)], [9, 12, 12, 9, 3, -1]);
     assert.deepEqual([...blocks.behindTable({ file: 0, line: 7 })], [9], "once");
     assert.deepEqual([blocks.firstOf(0, 7), blocks.firstOf(0, 2), blocks.firstOf(1, 2)], [9, 0, -1]);
     assert.deepEqual([0.5, 3, 4.5, 5.9, 6.5, 20].map((t_s) => blocks.nearest(0, 2, t_s)), [0, 2, 4, 6, 6, 8]);
     assert.deepEqual(blocks.get(9), { file: 0, line: 7, first: 9, count: 3, start_s: 9, end_s: 12 });
-    assert.equal(page.blockFacts(run.robots[0], 0, 2), null, "not all of the line is here");
-    assert.deepEqual([2, 77].map((line) => page.hasMissingFacts(run.robots[0], 0, line)), [true, false]);
-    assert.equal(await segments.need(9), true);
+    assert.equal(page.blockSummary(run.robots[0], 0, 2), null, "not all of the line is here");
+    assert.deepEqual([2, 77].map((line) => page.isSummaryIncomplete(run.robots[0], 0, line)), [true, false]);
+    assert.equal(await segments.fetchNow(9), true);
     assert.equal(blocks.end_s(9), 12);
   },
 

@@ -3,8 +3,8 @@
 
 import assert from "node:assert/strict";
 
-const form = ["file/paths", "form/quantity", "items/pose", "items/shape", "items/tree"].map((name) => `panels/machine/${name}`);
-export const modules = [...form, "run/gap", "core/response_diagnostics", "core/references", "three"];
+const form = ["file/file_names", "form/quantity", "items/pose", "items/shape", "items/tree"].map((name) => `panels/machine/${name}`);
+export const modules = [...form, "run/body_distance", "core/response_diagnostics", "core/references", "three"];
 
 const near = (a, b, within = 1e-6) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 
@@ -167,8 +167,8 @@ export default {
 
   "a failure's place is read off its sentence, and said once": ({ responseDiagnostics }) => {
     const failed = { ok: false, code: "input_file", message: "a/my.toml:12:3: unknown key 'x'" };
-    const [fault] = responseDiagnostics({ ...failed, messages: [] });
-    assert.deepEqual([fault.file, fault.line, fault.column, fault.text], ["a/my.toml", 12, 3, "unknown key 'x'"]);
+    const [error] = responseDiagnostics({ ...failed, messages: [] });
+    assert.deepEqual([error.file, error.line, error.column, error.text], ["a/my.toml", 12, 3, "unknown key 'x'"]);
     const told = { severity: "error", code: "input_file", file: "a/my.toml", line: 12, column: 3, end_column: 0, text: "unknown key 'x'", hint: "" };
     assert.deepEqual(responseDiagnostics({ ...failed, messages: [{ is: "told", header: told }] }), [told]);
     assert.equal(responseDiagnostics({ ok: false, code: "usage", message: "no place", messages: [] })[0].line, 0);

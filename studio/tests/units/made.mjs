@@ -152,7 +152,7 @@ export const scene = (more = {}) => ({
   max_acceleration_mm_s2: null,
   process: null,
   zones: [],
-  tips_mm: [[0, 0, 0]],
+  tcps_mm: [[0, 0, 0]],
   ...more,
 });
 

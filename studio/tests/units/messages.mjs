@@ -7,8 +7,8 @@ export const modules = ["core/message", "core/engine", "core/worker_engine", "co
 const padded = (size) => (size + 7) & ~7;
 
 /** A frame with a column of two numbers. */
-function frame(header = { is: "segments", columns: [["start_s", "f64", 2], ["kind", "u8", 3]] }) {
-  const text = new TextEncoder().encode(JSON.stringify(header));
+function frame(content = { is: "segments", columns: [["start_s", "f64", 2], ["kind", "u8", 3]] }) {
+  const text = new TextEncoder().encode(JSON.stringify({ format: 1, ...content }));
   const bytes = new Uint8Array(padded(8 + text.length) + 24);
   const view = new DataView(bytes.buffer);
   view.setUint32(0, bytes.length, true);
@@ -75,6 +75,7 @@ export default {
     for (let end = 1; end < 8; ++end) assert.throws(() => [...splitFrames(whole.slice(0, end))], InvalidMessage);
     for (const end of [0, 7, 12, whole.length - 8]) assert.throws(() => readMessage(whole.slice(0, end)), InvalidMessage);
     assert.throws(() => readMessage(frame({ is: "x", columns: [["a", "f16", 1]] })), InvalidMessage);
+    assert.throws(() => readMessage(frame({ format: 2, is: "done" })), /messages of format 2, and this page reads format 1/);
     assert.throws(() => readMessage(frame({ is: "x", columns: [["a", "f64", 1e6]] })), InvalidMessage);
   },
 

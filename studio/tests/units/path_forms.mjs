@@ -44,7 +44,7 @@ export default {
     assert.equal(lineOf(all, '"job"'), '{"name": "job", "work_offset": "G55", "set_offset_mm": [1, 2, 3], "tool": 3, "length_offset": 0, "targets": [');
     assert.equal(setPath(all, 0, { work_offset: undefined, set_offset_mm: undefined, tool: undefined, length_offset: undefined }), job);
     assert.equal(setupValuesError({ work_offset: "G55", set_offset_mm: undefined, tool: undefined }), null);
-    assert.match(setupValuesError({ work_offset: undefined, set_offset_mm: [1, 2, 3] }), /'set_offset_mm' goes with 'work_offset'/);
+    assert.match(setupValuesError({ work_offset: undefined, set_offset_mm: [1, 2, 3] }), /'set_offset_mm' requires 'work_offset'/);
   },
 
   "the use of a sub-path says its frame behind how often it is used": ({ setTarget }) => {

@@ -33,7 +33,7 @@ function read({ readPathFile, isPathFile }, text) {
   return file;
 }
 const walkOf = (page, text) => page.traversePath(read(page, text));
-const responseDiagnostics = (page, text) => walkOf(page, text).faults.map(({ text: sentence }) => sentence);
+const responseDiagnostics = (page, text) => walkOf(page, text).errors.map(({ text: sentence }) => sentence);
 
 /** The lines in which texts differ. */
 function changedLines(before, after) {
@@ -47,8 +47,8 @@ export default {
     assert.equal(tell('{"paths": [\n  {"name" "a"}]}'), "Line 2, column 11: ':' is expected here");
     assert.equal(tell('{"paths": [1,]}'), "Line 1, column 14: a value is expected here");
     assert.equal(tell('{"paths": [1 2]}'), "Line 1, column 14: ',' or ']' is expected here");
-    assert.equal(tell('{"paths": ['), "Line 1, column 12: the text ends too soon");
-    assert.equal(tell("{} x"), "Line 1, column 4: nothing may stand behind the end");
+    assert.equal(tell('{"paths": ['), "Line 1, column 12: the text ends too early");
+    assert.equal(tell("{} x"), "Line 1, column 4: nothing may follow the end");
     assert.equal(tell('{"a": "\n"}'), "Line 1, column 7: a value is expected here");
     assert.equal(tell("[".repeat(1000)), "Line 1, column 502: values are nested too deep");
     assert.deepEqual(page.readJson(' {"a": [-1.5e3, true, null, "\\u00e4\\n"]} '), { a: [-1500, true, null, "ä\n"] });
@@ -56,19 +56,19 @@ export default {
 
   "what is no path file is told with its place": (page) => {
     const tell = (text) => page.readPathFile(text).text;
-    assert.equal(tell("{}"), "Line 1, column 1: a path file needs 'paths' with one path at least");
-    assert.match(tell('{"path": []}'), /unknown key 'path' in the path file; it may hold: \$schema, format, name, root, paths/);
+    assert.equal(tell("{}"), "Line 1, column 1: a path file needs 'paths' with at least one path");
+    assert.match(tell('{"path": []}'), /unknown key 'path' in the path file; known keys: \$schema, format, name, root, paths/);
     assert.equal(tell('{"paths": [\n{"name": "a", "targets": []}]}'), "Line 2, column 1: the path 'a' has no targets");
     const point = (members) => page.readPathFile(part(`{"position_mm": [0, 0, 0], ${members}}`)).text;
     assert.equal(point('"feed_mm_min": 0'), "Line 6, column 3: 'feed_mm_min' must be a number greater than 0 and at most 1e9");
-    assert.equal(point('"via_mm": [0, 0, 0]'), "Line 6, column 3: 'via_mm' is of circular motions only");
+    assert.equal(point('"via_mm": [0, 0, 0]'), "Line 6, column 3: 'via_mm' is only for circular motions");
     assert.match(point('"motion": "circular"'), /needs either 'via_mm' or 'center_mm'/);
     assert.match(point('"rotary_deg": {"BC": 1}'), /'rotary_deg' must be an object such as/);
-    assert.match(point('"tool_axis": [0, 0, 1], "rpy_deg": [0, 0, 0]'), /not several/);
+    assert.match(point('"tool_axis": [0, 0, 1], "rpy_deg": [0, 0, 0]'), /only one of 'tool_axis', 'rpy_deg' and 'rotary_deg'/);
     assert.match(point('"constructor": 1'), /unknown key 'constructor' in a point/);
     assert.match(tell(part('{"motion": "rapid"}')), /lacks the key 'position_mm'/);
-    assert.match(tell(part('{"path": "a", "name": "b"}')), /unknown key 'name' in a sub-path; it may hold: path, repeats/);
-    assert.match(tell(part('{"path": "a", "repeats": 1.5}')), /'repeats' must be a whole number/);
+    assert.match(tell(part('{"path": "a", "name": "b"}')), /unknown key 'name' in a sub-path; known keys: path, repeats/);
+    assert.match(tell(part('{"path": "a", "repeats": 1.5}')), /'repeats' must be an integer/);
   },
 
   "fixed and reference points, work frames and tools are read, and stay where a form changes what is beside them": (page) => {
@@ -77,8 +77,8 @@ export default {
       '\n{"reference": 1},\n{"motion": "rapid", "position_mm": [0, 0, 5]},\n{"fixed": "CLAMP1", "name": "left", "dwell_s": 1, "actions": ["clamp"]},' +
       '\n{"path": "q", "work_offset": "G56", "set_offset_mm": [4, 5, 6]}]},\n{"name": "q", "targets": [{"fixed": 2}, {"motion": "rapid", "position_mm": [1, 1, 1]}]}]}';
     const file = read(page, text);
-    const { motions, before, faults } = page.traversePath(file);
-    assert.deepEqual(faults, []);
+    const { motions, before, errors } = page.traversePath(file);
+    assert.deepEqual(errors, []);
     assert.deepEqual(motions.map(({ from_mm, to_mm }) => [from_mm, to_mm]), [[null, [0, 0, 5]], [null, [1, 1, 1]]]);
     assert.equal(before.get("0/1").atMachinePoint, true);
     assert.equal(before.get("1/1").atMachinePoint, true);
@@ -89,28 +89,28 @@ export default {
 
   "what is wrong with fixed and reference points, frames and tools is told": (page) => {
     const tell = (targets, keys = "") => page.readPathFile(`{"paths": [{"name": "p"${keys}, "targets": [${targets}]}]}`).text;
-    assert.match(tell('{"fixed": 1, "reference": 1}'), /are two points; a target is one of them/);
+    assert.match(tell('{"fixed": 1, "reference": 1}'), /are two points; a target may have only one of them/);
     assert.match(tell('{"fixed": "2nd"}'), /'fixed' must be the number of a fixed point, or its name/);
     assert.match(tell('{"fixed": 100000}'), /'fixed' must be/);
-    assert.match(tell('{"reference": "DOCK"}, {"reference": "a-b"}'), /'reference' must be a whole number from 1 to 4, or the name/);
-    assert.match(tell('{"reference": 5}'), /'reference' must be a whole number from 1 to 4/);
-    assert.match(tell('{"reference": 1, "motion": "rapid"}'), /unknown key 'motion' in a fixed or reference point; it may hold: name, fixed/);
-    assert.match(tell('{"fixed": 1}', ', "tool": 1.5'), /'tool' must be a whole number from 0/);
-    assert.match(tell('{"fixed": 1}', ', "length_offset": 1'), /'length_offset' goes with 'tool'/);
-    assert.match(tell('{"fixed": 1}', ', "set_offset_mm": [1, 2, 3]'), /'set_offset_mm' goes with 'work_offset'/);
-    assert.match(tell('{"path": "q", "set_offset_mm": [1, 2, 3]}'), /'set_offset_mm' goes with 'work_offset'/);
+    assert.match(tell('{"reference": "DOCK"}, {"reference": "a-b"}'), /'reference' must be an integer from 1 to 4, or the name/);
+    assert.match(tell('{"reference": 5}'), /'reference' must be an integer from 1 to 4/);
+    assert.match(tell('{"reference": 1, "motion": "rapid"}'), /unknown key 'motion' in a fixed or reference point; known keys: name, fixed/);
+    assert.match(tell('{"fixed": 1}', ', "tool": 1.5'), /'tool' must be an integer from 0/);
+    assert.match(tell('{"fixed": 1}', ', "length_offset": 1'), /'length_offset' requires 'tool'/);
+    assert.match(tell('{"fixed": 1}', ', "set_offset_mm": [1, 2, 3]'), /'set_offset_mm' requires 'work_offset'/);
+    assert.match(tell('{"path": "q", "set_offset_mm": [1, 2, 3]}'), /'set_offset_mm' requires 'work_offset'/);
     const touch = (members) => tell('{"fixed": 1}', `, "work_offset": "G55", "probe_offset": [{${members}}]`);
     const way = '"from_mm": [0, 0, 9], "to_mm": -1, "surface_mm": 0, "feed_mm_min": 60';
     assert.match(touch(way), /'probe_offset' has a touch that lacks the key 'axis'/);
     assert.match(touch(`"axis": "B", ${way}`), /'probe_offset' has a touch in which 'axis' must be "X", "Y" or "Z"/);
-    assert.match(touch(`"axis": "X", ${way}, "depth": 1`), /has a touch in which unknown key 'depth' in a touch; it may hold: axis, from_mm/);
-    assert.match(tell('{"fixed": 1}', ', "work_offset": "G55", "probe_offset": []'), /'probe_offset' must be a list of touches, one at least/);
-    assert.match(tell('{"fixed": 1}', `, "probe_offset": [{"axis": "X", ${way}}]`), /'probe_offset' goes with 'work_offset'/);
+    assert.match(touch(`"axis": "X", ${way}, "depth": 1`), /has a touch in which unknown key 'depth' in a touch; known keys: axis, from_mm/);
+    assert.match(tell('{"fixed": 1}', ', "work_offset": "G55", "probe_offset": []'), /'probe_offset' must be a list of at least one touch/);
+    assert.match(tell('{"fixed": 1}', `, "probe_offset": [{"axis": "X", ${way}}]`), /'probe_offset' requires 'work_offset'/);
     const line = '{"position_mm": [0, 0, 0], "feed_mm_min": 1}';
     for (const targets of [`{"fixed": 1}, ${line}`, `{"path": "p2"}, ${line}`]) {
       const text = `{"paths": [{"name": "p", "targets": [${targets}]}, {"name": "p2", "targets": [{"reference": 2}]}]}`;
       assert.deepEqual(responseDiagnostics(page, text), [
-        "The first motion behind a fixed or reference point must be a rapid: where that point is in the work nobody knows.",
+        "The first motion after a fixed or reference point must be a rapid, because the position of that point in the work is unknown.",
       ]);
     }
   },
@@ -192,16 +192,16 @@ export default {
 
   "what is wrong between points is told with its place": (page) => {
     const wrong = (...targets) => responseDiagnostics(page, part(...targets));
-    assert.match(wrong(at(0, 0, ', "motion": "circular", "via_mm": [1, 1, 0]'))[0], /nothing says where it starts/);
-    assert.match(wrong(at(0, 0), at(9, 0, ', "motion": "circular", "via_mm": [4, 0, 0]'))[0], /lies on the line/);
-    assert.match(wrong(at(0, 0), at(0, 0, ', "motion": "circular", "via_mm": [4, 0, 0]'))[0], /must end elsewhere/);
+    assert.match(wrong(at(0, 0, ', "motion": "circular", "via_mm": [1, 1, 0]'))[0], /its start is unknown/);
+    assert.match(wrong(at(0, 0), at(9, 0, ', "motion": "circular", "via_mm": [4, 0, 0]'))[0], /on the line through start and end/);
+    assert.match(wrong(at(0, 0), at(0, 0, ', "motion": "circular", "via_mm": [4, 0, 0]'))[0], /must not end at its start/);
     assert.match(wrong(at(0, 0), at(9, 0, ', "motion": "circular", "center_mm": [4, 0, 0], "turn_deg": 180'))[0], /starts 4\.00000 mm .* ends 5\.00000 mm/);
-    assert.match(wrong(at(0, 0), at(8, 0, ', "motion": "circular", "center_mm": [4, 0, 0], "turn_deg": 90'))[0], /90° does not lead to the end; 180\.000°/);
-    assert.match(wrong('{"path": "nowhere"}', at(0, 0))[0], /There is no path of the name 'nowhere'/);
-    assert.match(wrong(at(0, 0), '{"path": "part"}')[0], /leads back to itself/);
+    assert.match(wrong(at(0, 0), at(8, 0, ', "motion": "circular", "center_mm": [4, 0, 0], "turn_deg": 90'))[0], /90° does not reach the end; 180\.000°/);
+    assert.match(wrong('{"path": "nowhere"}', at(0, 0))[0], /No path has the name 'nowhere'/);
+    assert.match(wrong(at(0, 0), '{"path": "part"}')[0], /'part' contains itself/);
     const chain = Array.from({ length: 11 }, (_, i) => `{"name": "p${i}", "targets": [${i < 10 ? `{"path": "p${i + 1}"}` : at(0, 0)}]}`);
     assert.match(responseDiagnostics(page, `{"paths": [${chain.join()}]}`)[0], /deeper than 8 levels/);
-    assert.match(responseDiagnostics(page, `{"root": "x", "paths": [${chain[10]}, ${chain[10]}]}`).join(), /two paths of the name 'p10'.*no path of the name 'x'/);
+    assert.match(responseDiagnostics(page, `{"root": "x", "paths": [${chain[10]}, ${chain[10]}]}`).join(), /Two paths have the name 'p10'.*No path has the name 'x'/);
   },
 
   "paths that are used very often are gone through once": (page) => {
@@ -210,8 +210,8 @@ export default {
       return `{"name": "p${i}", "targets": [${at(i, 0)}, ${uses.join()}]}`;
     });
     const began = performance.now();
-    const { motions, faults } = walkOf(page, `{"paths": [${levels.join()}]}`);
-    assert.deepEqual(faults, []);
+    const { motions, errors } = walkOf(page, `{"paths": [${levels.join()}]}`);
+    assert.deepEqual(errors, []);
     assert.ok(motions.length < 5000 && performance.now() - began < 2000, `${motions.length} motions`);
   },
 
@@ -288,7 +288,7 @@ export default {
     const line = page.addLeads(cut, read(page, cut), walkOf(page, cut), place(0), 6, { ...choice, kind: "line", angle_deg: 90, side: "left", out: false });
     assert.deepEqual(read(page, line).paths[0].targets[2].position_mm, [0, 4, 3]);
     assert.equal(read(page, line).paths[0].targets.length, 7);
-    assert.match(page.addLeads(cut, read(page, cut), walkOf(page, cut), place(0), 2, choice).fault, /no cut/);
+    assert.match(page.addLeads(cut, read(page, cut), walkOf(page, cut), place(0), 2, choice).error, /no cut/);
   },
 
   "the nearest of many pieces is found": ({ LineSegmentTree }) => {

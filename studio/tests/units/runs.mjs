@@ -5,7 +5,7 @@ import { near, runOf, segmentsMessage } from "./made.mjs";
 
 export const modules = [
   ...["run/run", "run/segments", "run/blocks", "run/marks", "run/limits", "run/search", "run/report"],
-  ...["core/store", "core/navigation", "core/display_state", "time/steps", "time/process", "code/line_times", "code/block_facts"],
+  ...["core/store", "core/navigation", "core/display_state", "time/steps", "time/process", "code/line_times", "code/block_summary"],
 ];
 
 const move = (line, duration_s, more = {}) => ({ line, duration_s, ...more });
@@ -55,9 +55,9 @@ export default {
   "segments of a line one behind the other are a block, and each pass of a loop is one": (page) => {
     const { blocks } = looped(page).robots[0];
     assert.equal(blocks.tabled, 10);
-    assert.deepEqual([...blocks.ofLine(0, 2)], [0, 3, 6]);
-    assert.deepEqual([...blocks.ofLine(1, 6)], [5]);
-    assert.deepEqual([...blocks.ofLine(0, 77)], []);
+    assert.deepEqual([...blocks.blocksOfLine(0, 2)], [0, 3, 6]);
+    assert.deepEqual([...blocks.blocksOfLine(1, 6)], [5]);
+    assert.deepEqual([...blocks.blocksOfLine(0, 77)], []);
     assert.deepEqual([0, 1, 2, 3, 12].map((segment) => blocks.of(segment)), [0, 0, 1, 2, 9]);
     const { line, first, count, start_s, end_s } = blocks.get(3);
     assert.deepEqual({ line, first, count, start_s, end_s }, { line: 2, first: 4, count: 2, start_s: 5, end_s: 7 });
@@ -81,7 +81,7 @@ export default {
       { t_s: 1, kind: "start", file: null, line: null },
     ];
     const run = runOf(page, [move(2, 3), move(4, 1)], { files: { "main.nc": "" }, report: { events } });
-    const lines = (t_s) => run.placesAt(0, t_s).map(({ line }) => line);
+    const lines = (t_s) => run.locationsAt(0, t_s).map(({ line }) => line);
     assert.deepEqual([0, 1, 3, 3.0000000004, 3.1, 4, 4.1].map(lines), [[2], [2], [1], [1], [4], [4], []]);
     const store = displayed(page, run);
     store.set("time_s", 3);
@@ -163,10 +163,10 @@ export default {
 
   "what is told of a line: passes, time, length and what held it back for longest": (page) => {
     const moves = [move(4, 1, { limit: 6 }), move(4, 3, { limit: 3, axis: 0 }), move(5, 1), move(4, 1, { limit: 6 })];
-    const facts = page.blockFacts(runOf(page, moves).robots[0], 0, 4);
+    const facts = page.blockSummary(runOf(page, moves).robots[0], 0, 4);
     assert.deepEqual([facts.passes, facts.time_s, facts.length_mm], [2, 5, 3]);
     assert.deepEqual(facts.limit, { kind: "acceleration", letter: "X" });
     near(facts.peak_mm_s, 1);
-    assert.equal(page.blockFacts(runOf(page, moves).robots[0], 0, 6), null);
+    assert.equal(page.blockSummary(runOf(page, moves).robots[0], 0, 6), null);
   },
 };

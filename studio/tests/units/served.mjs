@@ -4,12 +4,12 @@
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
 
-export const modules = ["core/frame_splitter", "core/message", "core/remote_engine", "core/server", "core/documents", "core/affects_run", "core/kinds", "core/setup"];
+export const modules = ["core/frame_splitter", "core/message", "core/remote_engine", "core/server", "core/documents", "core/affects_run", "core/file_kinds", "core/setup"];
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 
 function frame(header, more = 0) {
-  const text = bytesOf(JSON.stringify(header));
+  const text = bytesOf(JSON.stringify({ format: 1, ...header }));
   const bytes = new Uint8Array(((8 + text.length + 7) & ~7) + more);
   const view = new DataView(bytes.buffer);
   view.setUint32(0, bytes.length, true);
@@ -87,11 +87,11 @@ export default {
     };
     await fails((_, response) => response.writeHead(403).end('{"error": "another page"}'), /^another page$/);
     await fails((_, response) => response.writeHead(500).end("oh"), /status 500/);
-    await fails((_, response) => response.end(numbers()), /ended too soon/);
-    await fails((_, response) => response.end(numbers().subarray(0, 20)), /ended too soon/);
+    await fails((_, response) => response.end(numbers()), /ended prematurely/);
+    await fails((_, response) => response.end(numbers().subarray(0, 20)), /ended prematurely/);
     await fails((_, response) => response.end(Uint8Array.of(1, 0, 0, 0)), /1 bytes/);
     await fails((_, response) => response.end(frame({ is: "failed", message: "no such axis" })), /^no such axis$/);
-    await fails((_, response) => response.destroy(), /does not answer/);
+    await fails((_, response) => response.destroy(), /does not respond/);
   },
 
   "questions wait for each other, and end together": (page) => {
@@ -156,7 +156,7 @@ export default {
     const documents = new Documents(new Map([["samples/a.nc", "G0"]]), true);
     documents.list("far.nc", 1e9);
     const drop = (name, bytes) => documents.put(name, documents.read(name, bytes));
-    documents.accept("part.nc", bytesOf("G1\r\n"));
+    documents.storeFolderFile("part.nc", bytesOf("G1\r\n"));
     drop("dropped.nc", bytesOf("G2"));
     assert.deepEqual([...documents.files().keys()], ["dropped.nc"]);
     documents.put("part.nc", "G1\n"); // as an editor has lines
@@ -167,7 +167,7 @@ export default {
     assert.deepEqual([...documents.files()], [["part.nc", "G1 X1\n"], ["dropped.nc", "G2"], ["far.nc", "G3"]]);
     documents.saved("part.nc", "G1 X1\n", bytesOf("G1 X1\r\n"));
     assert.equal(documents.isUnsaved("part.nc"), false);
-    documents.unlist("part.nc");
+    documents.removeFolderFile("part.nc");
     assert.equal(documents.files().has("part.nc"), true, "what is gone from the folder");
   },
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { near, runOf } from "./made.mjs";
 
-const data = ["block_table", "comparison", "diff", "filter", "greatest", "limit_words", "operations", "source_lines", "tools"];
+const data = ["block_table", "comparison", "diff", "filter", "largest_indices", "limit_texts", "operations", "source_lines", "tools"];
 
 export const modules = [...data.map((name) => `panels/results/data/${name}`), "run/run"];
 
@@ -57,22 +57,22 @@ export default {
     assert.equal(page.cachedBlockTable(robot), table, "made once");
   },
 
-  "the greatest come first, of equals the earlier": ({ greatest }) => {
+  "the greatest come first, of equals the earlier": ({ largestIndices }) => {
     const keys = [3, 9, 1, 9, 4, 7, 3, 0];
-    const first = (most, passes = () => true) => [...greatest(keys.length, most, (i) => keys[i], passes).indices];
+    const first = (most, passes = () => true) => [...largestIndices(keys.length, most, (i) => keys[i], passes).indices];
     assert.deepEqual(first(3), [1, 3, 5]);
     assert.deepEqual(first(6), [1, 3, 5, 4, 0, 6]);
     assert.deepEqual(first(99), [1, 3, 5, 4, 0, 6, 2, 7]);
     assert.deepEqual(first(2, (i) => i % 2 === 0), [4, 0]);
     assert.deepEqual(first(0), []);
-    assert.equal(greatest(keys.length, 2, (i) => keys[i], (i) => keys[i] > 2).passed, 6);
+    assert.equal(largestIndices(keys.length, 2, (i) => keys[i], (i) => keys[i] > 2).passed, 6);
   },
 
-  "the greatest of many are those of sorting them all": ({ greatest }) => {
+  "the greatest of many are those of sorting them all": ({ largestIndices }) => {
     let seed = 1;
     const keys = Array.from({ length: 5000 }, () => (seed = (seed * 48271) % 2147483647) % 500);
     const sorted = keys.map((_, i) => i).sort((a, b) => keys[b] - keys[a] || a - b);
-    assert.deepEqual([...greatest(keys.length, 300, (i) => keys[i], () => true).indices], sorted.slice(0, 300));
+    assert.deepEqual([...largestIndices(keys.length, 300, (i) => keys[i], () => true).indices], sorted.slice(0, 300));
   },
 
   "a number finds its line and its N word, two numbers the lines between": (page) => {
@@ -97,8 +97,8 @@ export default {
   "lines of a source, whatever ends them": ({ SourceLines }) => {
     const lines = new SourceLines("a\r\n  b\n\nc");
     assert.deepEqual([lines.count, ...[0, 1, 2, 3, 4, 5].map((line) => lines.line(line))], [4, "", "a", "  b", "", "c", ""]);
-    assert.deepEqual([1, 2, 3, 4].map((line) => lines.firstOf(line)), ["a", "b", "", "c"]);
-    assert.deepEqual([...new SourceLines("ab\nx\nAB ab\n").matching("ab")], [0, 1, 0, 1, 0]);
+    assert.deepEqual([1, 2, 3, 4].map((line) => lines.firstCharacter(line)), ["a", "b", "", "c"]);
+    assert.deepEqual([...new SourceLines("ab\nx\nAB ab\n").linesWith("ab")], [0, 1, 0, 1, 0]);
   },
 
   "a diff pairs what stayed, what changed in its place, and nothing else": (page) => {

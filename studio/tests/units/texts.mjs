@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-export const modules = ["core/units", "core/names", "core/kinds", "core/colours", "run/kinds", "run/limits", "time/window", "time/mark_text", "texts"];
+export const modules = ["core/units", "core/display_names", "core/file_kinds", "core/colours", "run/kinds", "run/limits", "time/time_window", "time/mark_text", "texts"];
 
 const mark = { t_s: 1, file: "a.nc", line: 14, kind: "event", text: "jet_on", detail: "", pair: null, clearance_mm: 0 };
 

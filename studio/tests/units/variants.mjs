@@ -146,22 +146,22 @@ export default {
       { name: "fast", setup, from: { file: "a.nc", line: 3, pass: 2 } },
     ];
     const text = writeVariants(variants);
-    assert.deepEqual(readVariants(text), { variants, fault: "" });
+    assert.deepEqual(readVariants(text), { variants, error: "" });
     assert.deepEqual(JSON.parse(text).variants[0], { name: "as it is", program: "a.nc" });
   },
 
   "what a file should not have is refused by name": ({ readVariants }) => {
-    const fault = (variant) => readVariants(JSON.stringify({ variants: [{ name: "one" }, variant] })).fault;
-    assert.equal(fault({ name: "two", mchine: "m" }), "variant 2: there is no key 'mchine'");
-    assert.equal(fault({ name: "two", feed_override_percent: "120" }), "variant 2: 'feed_override_percent' has a value of another kind");
-    assert.equal(fault({ name: "two", rapid_override_percent: 1001 }), "variant 2: 'rapid_override_percent' should be from 0 to 1000");
-    assert.equal(fault({ name: "two", from: { file: "a.nc", line: 0 } }), "variant 2: 'from' should have a file, a line from 1 on and, where it is not the first, a pass");
-    assert.equal(fault({ name: "two", from: { file: "a.nc", line: 2, at: 1 } }), "variant 2, from: there is no key 'at'");
-    assert.equal(fault({ name: "one" }), "two variants are called one");
-    assert.equal(fault({}), "variant 2 needs a name");
-    assert.equal(fault(3), "variant 2 should be an object");
-    assert.equal(readVariants("[]").fault, "a file of variants has a list 'variants'");
-    assert.match(readVariants("{").fault, /JSON/);
+    const error = (variant) => readVariants(JSON.stringify({ variants: [{ name: "one" }, variant] })).error;
+    assert.equal(error({ name: "two", mchine: "m" }), "variant 2: unknown key 'mchine'");
+    assert.equal(error({ name: "two", feed_override_percent: "120" }), "variant 2: 'feed_override_percent' has a value of the wrong type");
+    assert.equal(error({ name: "two", rapid_override_percent: 1001 }), "variant 2: 'rapid_override_percent' must be from 0 to 1000");
+    assert.equal(error({ name: "two", from: { file: "a.nc", line: 0 } }), "variant 2: 'from' must have a file, a line of at least 1 and, unless it is the first, a pass");
+    assert.equal(error({ name: "two", from: { file: "a.nc", line: 2, at: 1 } }), "variant 2, from: unknown key 'at'");
+    assert.equal(error({ name: "one" }), "two variants have the name one");
+    assert.equal(error({}), "variant 2 needs a name");
+    assert.equal(error(3), "variant 2 must be an object");
+    assert.equal(readVariants("[]").error, "a variants file needs a list 'variants'");
+    assert.match(readVariants("{").error, /JSON/);
   },
 
   "runs are kept by set-up, and the oldest goes when all together are too large": (page) => {
@@ -219,7 +219,7 @@ export default {
   "what the engine reads from the folder is another file by its version, whenever its text comes": (page) => {
     const documents = new page.Documents(new Map());
     const bytesOf = (text) => new TextEncoder().encode(text);
-    documents.accept("a.nc", bytesOf(source));
+    documents.storeFolderFile("a.nc", bytesOf(source));
     const versions = (entries) => new Map(Object.entries({ "a.nc": "a1", "m.toml": "m1", "tool.toml": "t1", "large.nc": "l1", ...entries }));
     const setup = { ...page.emptySetup(), program: "a.nc", machine: "m.toml" };
     const origin = page.createSnapshot(setup, documents, versions());
@@ -228,8 +228,8 @@ export default {
     assert.deepEqual(changed(), []);
     assert.deepEqual(changed({ "large.nc": "l2" }), ["large.nc"], "of which the page never has a text");
     assert.deepEqual(changed({ "new.toml": "n1" }), ["new.toml"]);
-    documents.accept("tool.toml", bytesOf("a = 1\n"));
-    documents.accept("m.toml", bytesOf("[[axis]]\n"));
+    documents.storeFolderFile("tool.toml", bytesOf("a = 1\n"));
+    documents.storeFolderFile("m.toml", bytesOf("[[axis]]\n"));
     assert.deepEqual(changed(), [], "for the first time");
     assert.deepEqual(changed({ "tool.toml": "t2" }), ["tool.toml"]);
     documents.put("tool.toml", "a = 2\n");
@@ -238,7 +238,7 @@ export default {
     assert.deepEqual(changed(), []);
     // The texts show if a document that the page has had has changed.
     assert.deepEqual(changed({ "a.nc": "a2" }), []);
-    documents.accept("a.nc", bytesOf("G1 X9\n"));
+    documents.storeFolderFile("a.nc", bytesOf("G1 X9\n"));
     assert.deepEqual(changed({ "a.nc": "a2" }), ["a.nc"]);
   },
 };

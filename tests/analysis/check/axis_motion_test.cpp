@@ -25,7 +25,7 @@ using testing::IsEmpty;
 
 machine::Machine read(const std::string& axes) {
     const auto machine = machine::read_machine("[machine]\nname = \"m\"\n" + axes, "m.toml");
-    EXPECT_TRUE(machine) << machine.error();
+    EXPECT_TRUE(machine) << machine.error().message;
     return machine.value_or(machine::Machine{});
 }
 
@@ -53,13 +53,12 @@ TEST(AxisMotion, SentencesSayWhichWay) {
     EXPECT_THAT(
         sentences(sample("mill-table-table.toml")),
         ElementsAre(
-            "+X moves the work to the left (-x), so that the tool goes to the right (+x) over it",
+            "+X moves the workpiece to the left (-x), so the tool moves to the right (+x) relative to it",
             "+Y moves the tool to the back (+y)", "+Z moves the tool up (+z)",
-            "+A turns the work clockwise seen from the right (about -x), so that the tool goes round it the "
-            "other way",
-            "+C turns the work clockwise seen from above (about -z), so that the tool goes round it the "
-            "other "
-            "way"));
+            "+A turns the workpiece clockwise seen from the right (about -x), so the tool moves around it in "
+            "the opposite direction",
+            "+C turns the workpiece clockwise seen from above (about -z), so the tool moves around it in the "
+            "opposite direction"));
     EXPECT_THAT(sentences(read(directed('Y', "-y") + directed('B', "y") +
                                axis('W', "frame = { roll_deg = 0.0, pitch_deg = 45.0 }"))),
                 ElementsAre("+Y moves the tool to the front (-y)",
@@ -94,43 +93,47 @@ TEST(AxisMotion, AMachineWithXAndYExchangedIsNotClean) {
     EXPECT_FALSE(check.is_clean());
     const std::string text = to_text(check);
     EXPECT_THAT(text,
-                HasSubstr("wrong      X Y Z are left-handed: +X turned into +Y screws against +Z, so that "
-                          "parts come out mirrored; turn one of them round, or exchange two letters\n"));
+                HasSubstr("error      X Y Z are left-handed: turning +X to +Y advances a right-hand screw "
+                          "against +Z, so parts are mirrored; reverse one axis, or exchange two letters\n"));
     EXPECT_THAT(text, HasSubstr("found: 1 left-handed sets of axes\n"));
     EXPECT_THAT(to_json(check), HasSubstr("\"left_handed\": [\n    \"X Y Z are left-handed"));
 }
 
 TEST(AxisMotion, OneAxisTurnedRoundIsLeftHandedAndSoAreSlidesBehind) {
-    EXPECT_EQ(
-        find_left_handed(axis_motions(read(directed('X', "x") + directed('Y', "y") + directed('Z', "-z"))))
-            .size(),
-        1U);
-    EXPECT_THAT(
-        find_left_handed(axis_motions(read(directed('U', "x") + directed('V', "z") + directed('W', "y")))),
-        ElementsAre(testing::StartsWith("U V W are left-handed")));
+    EXPECT_EQ(find_left_handed_axes(
+                  axis_motions(read(directed('X', "x") + directed('Y', "y") + directed('Z', "-z"))))
+                  .size(),
+              1U);
+    EXPECT_THAT(find_left_handed_axes(
+                    axis_motions(read(directed('U', "x") + directed('V', "z") + directed('W', "y")))),
+                ElementsAre(testing::StartsWith("U V W are left-handed")));
     // A table that moves in the direction of its letter carries the work under the tool in the wrong
     // direction.
-    EXPECT_EQ(
-        find_left_handed(axis_motions(read(axis('X', "carries = \"work\"\nframe = { pitch_deg = 90.0 }") +
-                                           directed('Y', "y") + directed('Z', "z"))))
-            .size(),
-        1U);
-    EXPECT_THAT(find_left_handed(axis_motions(read(directed('X', "x") + directed('Z', "-z")))), IsEmpty());
+    EXPECT_EQ(find_left_handed_axes(
+                  axis_motions(read(axis('X', "carries = \"work\"\nframe = { pitch_deg = 90.0 }") +
+                                    directed('Y', "y") + directed('Z', "z"))))
+                  .size(),
+              1U);
+    EXPECT_THAT(find_left_handed_axes(axis_motions(read(directed('X', "x") + directed('Z', "-z")))),
+                IsEmpty());
 }
 
 TEST(AxisMotion, NoSampleIsLeftHanded) {
     for (const std::filesystem::path& file : tests::machine_files()) {
         const machine::Machine machine = machine::load_machine(file).value();
-        EXPECT_THAT(find_left_handed(axis_motions(machine)), IsEmpty()) << file;
+        EXPECT_THAT(find_left_handed_axes(axis_motions(machine)), IsEmpty()) << file;
     }
 }
 
 TEST(AxisMotion, RotaryAxesThatTurnTheOtherWayAreTold) {
     const std::string linear = directed('X', "x") + directed('Y', "y") + directed('Z', "z");
-    EXPECT_THAT(find_left_turns(axis_motions(read(linear + directed('A', "-x")))),
-                ElementsAre("+A turns against the right-hand rule about +X; ISO 841 has it the other way"));
-    EXPECT_THAT(find_left_turns(axis_motions(read(linear + directed('A', "x") + directed('C', "y")))),
-                IsEmpty());
+    EXPECT_THAT(
+        find_left_handed_rotations(axis_motions(read(linear + directed('A', "-x")))),
+        ElementsAre(
+            "+A turns against the right-hand rule about +X; ISO 841 requires the opposite direction"));
+    EXPECT_THAT(
+        find_left_handed_rotations(axis_motions(read(linear + directed('A', "x") + directed('C', "y")))),
+        IsEmpty());
 }
 
 TEST(AxisMotion, ThePictureHasAnArrowForEachAxis) {

@@ -144,9 +144,9 @@ TEST(MachineCheck, TellsGroupsOfAxes) {
 TEST(MachineCheck, NotesWhatIsWorthALook) {
     const MachineCheck check = check_of(sample("unlimited.toml"));
     EXPECT_TRUE(check.is_clean());
-    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("axis X has a range without end")));
-    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("there is no inverse")));
-    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("there are no bodies")));
+    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("axis X has an unlimited range")));
+    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("the machine has no inverse")));
+    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("the machine has no bodies")));
 }
 
 }  // namespace

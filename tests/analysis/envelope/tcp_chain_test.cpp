@@ -15,7 +15,7 @@ class TipOfSample : public testing::TestWithParam<const char*> {};
 // Joints that are left out, and joints that carry the work, make no difference.
 TEST_P(TipOfSample, IsThatOfForwardKinematics) {
     const auto machine = machine::load_machine(tests::source_path("samples/machines/") + GetParam());
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     const auto kinematics = machine::make_kinematics(*machine);
     const machine::JointBox box = machine::joint_box(*machine);
     const TcpChain chain = tcp_chain(*machine, box);

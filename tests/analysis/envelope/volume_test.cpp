@@ -54,7 +54,7 @@ void expect_tips_within(const TcpChain& chain, const Volume& volume) {
 TEST(Volume, ThreeSlidesHaveTheirExactBox) {
     const auto machine = machine::load_machine(tests::source_path("samples/machines/router3.toml"));
     const auto chain = envelope_chain(machine.value());
-    ASSERT_TRUE(chain) << chain.error();
+    ASSERT_TRUE(chain) << chain.error().message;
     const Volume volume = reached_volume(*chain);
     EXPECT_EQ(volume.step_mm, 0);
     EXPECT_NEAR(volume_mm3(volume.surface), 600.0 * 400 * 120, 1e-3);
@@ -102,9 +102,10 @@ TEST(Volume, ThereIsNoneWithoutEndOrWithoutMotion) {
     machine::Machine machine =
         machine::load_machine(tests::source_path("samples/machines/router3.toml")).value();
     machine.axes[2].min = -std::numeric_limits<double>::infinity();
-    EXPECT_EQ(envelope_chain(machine).error(), "there is no envelope: axis Z has a range without end");
+    EXPECT_EQ(envelope_chain(machine).error().message,
+              "the machine has no envelope: axis Z has an unlimited range");
     for (machine::Axis& axis : machine.axes) axis.min = axis.max = 0;
-    EXPECT_EQ(envelope_chain(machine).error(), "there is no envelope: no axis moves the tool's tip");
+    EXPECT_EQ(envelope_chain(machine).error().message, "the machine has no envelope: no axis moves the TCP");
 }
 
 }  // namespace

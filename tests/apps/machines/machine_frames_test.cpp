@@ -131,7 +131,8 @@ TEST_F(MachineFrames, AreNotForTheNamesOfCells) {
             write("named.toml", fmt::format("[cell]\nname = \"c\"\n[[frame]]\nname = \"{}\"\n", name));
         const Ended e = gsim_run({script("G1{x=1}"), "--machine", machine_, "--cell", cell});
         EXPECT_EQ(e.status, 2);
-        EXPECT_TRUE(contains(e.err, fmt::format("the name '{}' is taken: by the machine, or above", name)))
+        EXPECT_TRUE(
+            contains(e.err, fmt::format("the name '{}' is already used, by the machine or above", name)))
             << e.err;
     }
 }

@@ -57,7 +57,7 @@ TEST_F(MachineImport, AnIniRunsWithItsOffsetsAndTools) {
     EXPECT_NEAR(r["bounds"]["Y"]["max"].get<double>(), 60, 1e-9);
     EXPECT_NEAR(r["bounds"]["Z"]["max"].get<double>(), 20, 1e-9);
     EXPECT_EQ(std::string(r["diagnostics"][0]["text"]),
-              "gantry.ini: lines that are not taken over: 1; gsim-data import gantry.ini lists them");
+              "gantry.ini: lines that are not imported: 1; gsim-data import gantry.ini lists them");
 }
 
 TEST_F(MachineImport, ImportWritesAMachineFileThatRunsAsTheIniDoes) {
@@ -66,9 +66,9 @@ TEST_F(MachineImport, ImportWritesAMachineFileThatRunsAsTheIniDoes) {
     write("gantry.tbl", "T1 P1 Z20 D6\n");
     const Ended e = gsim_data({"import", "gantry.ini", "-o", "gantry.toml", "--data", "gantry.txt"});
     EXPECT_EQ(e.status, 0) << e.err;
-    EXPECT_EQ(e.err, "gantry.ini: note: not taken over: [HAL] HALFILE\n");
+    EXPECT_EQ(e.err, "gantry.ini: note: not imported: [HAL] HALFILE\n");
     EXPECT_TRUE(
-        contains(read("gantry.toml"), "# Made from gantry.ini.\n#\n# Not taken over:\n#   [HAL] HALFILE\n"));
+        contains(read("gantry.toml"), "# Made from gantry.ini.\n#\n# Not imported:\n#   [HAL] HALFILE\n"));
     write("part.ngc", "G21 T1 M6\nG43 H1\nG1 X10 Y5 Z0 F3000\nG28\nM2\n");
     json direct = report({"--machine", "gantry.ini", "part.ngc"});
     json imported = report({"--machine", "gantry.toml", "--machine-data", "gantry.txt", "part.ngc"});
@@ -84,7 +84,7 @@ TEST_F(MachineImport, TablesAloneBecomeMachineData) {
     write("mill.var", "5241 12.5\n5245 90\n");
     const Ended offsets = gsim_data({"import", "mill.var", "-o", "offsets.txt"});
     EXPECT_EQ(offsets.status, 0) << offsets.err;
-    EXPECT_EQ(offsets.err, "mill.var: note: not taken over: B of G55: the machine has no such axis\n");
+    EXPECT_EQ(offsets.err, "mill.var: note: not imported: B of G55: the machine does not have this axis\n");
     EXPECT_EQ(gsim_data({"offsets.txt", "get", "OFFSET", "55", "X"}).out, "12.5\n");
 }
 
@@ -104,12 +104,11 @@ TEST_F(MachineImport, WhatGrblAnswersIsAMachine) {
 }
 
 TEST_F(MachineImport, FaultsAreSentences) {
-    EXPECT_EQ(gsim_data({"import"}).err, "gsim-data: import needs a file: gsim-data import mill.ini\n");
+    EXPECT_EQ(gsim_data({"import"}).err, "gsim-data: import requires a file: gsim-data import mill.ini\n");
     write("notes.txt", "hello\n");
-    EXPECT_EQ(
-        gsim_data({"import", "notes.txt"}).err,
-        "gsim-data: 'notes.txt' is no LinuxCNC .ini, .tbl or .var, and has no lines as grbl answers to $$ "
-        "($110=500.000)\n");
+    EXPECT_EQ(gsim_data({"import", "notes.txt"}).err,
+              "gsim-data: 'notes.txt' is not a LinuxCNC .ini, .tbl or .var, and has no lines of grbl's "
+              "response to $$ ($110=500.000)\n");
     write("arm.ini", "[KINS]\nKINEMATICS = genserkins\n[TRAJ]\nCOORDINATES = XYZ\n");
     const Ended e = gsim_run({"--machine", "arm.ini", write("part.nc", "G0 X1\n")});
     EXPECT_EQ(e.status, 2);

@@ -53,9 +53,8 @@ TEST_F(MachineLanguage, TranslatingNeedsNoMachine) {
               "gcode2lua: odd.toml:2:1: unknown key 'unit' in [program]; did you mean 'units'?\n");
     write("odd.toml", "[program]\ndialect = \"fanux\"\n");
     EXPECT_EQ(gcode2lua({"--machine", "odd.toml", "part.ngc"}).err,
-              "gcode2lua: 'dialect' under [program] of the machine file: there is no dialect or control "
-              "'fanux'; did "
-              "you mean 'fanuc'?\n");
+              "gcode2lua: 'dialect' under [program] of the machine file: unknown dialect or controller "
+              "'fanux'; did you mean 'fanuc'?\n");
 }
 
 TEST_F(MachineLanguage, UnitsHoldFromTheStartUntilTheProgramSaysOthers) {
@@ -105,7 +104,7 @@ TEST_F(MachineLanguage, NamesOfControlsAreTaken) {
         << near["diagnostics"];
     const Ended e = gsim_run({"--dialect", "heidenhain", "part.nc"});
     EXPECT_EQ(e.status, 2);
-    EXPECT_EQ(e.err, "gsim-run: Heidenhain's own language (BEGIN PGM, L X+10 FMAX) is not read\n");
+    EXPECT_EQ(e.err, "gsim-run: the language of Heidenhain (BEGIN PGM, L X+10 FMAX) is not supported\n");
 }
 
 TEST_F(MachineLanguage, AFailureNamesTheOptionToTry) {
@@ -113,7 +112,7 @@ TEST_F(MachineLanguage, AFailureNamesTheOptionToTry) {
     for (const Ended& e : {gsim_run({"part.nc"}), gcode2lua({"part.nc"})}) {
         EXPECT_EQ(e.status, 1);
         EXPECT_TRUE(contains(
-            e.err, "part.nc:2: note: an O-word is of RS274/NGC (LinuxCNC); try --dialect rs274ngc\n"))
+            e.err, "part.nc:2: note: an O-word belongs to RS274/NGC (LinuxCNC); try --dialect rs274ngc\n"))
             << e.err;
     }
     EXPECT_FALSE(contains(gcode2lua({write("ok.nc", "G0 X1 (o100 sub)\n")}).err, "note"));
@@ -123,9 +122,10 @@ TEST_F(MachineLanguage, AProgramInInchesReadAsMmIsWarnedOf) {
     write("haas.nc", "G0 X1.125 Y-.375\nZ.1\nG1 Z-.2501 F10.\nX2.4375 F45.\nM30\n");
     const Ended e = gcode2lua({"haas.nc"});
     EXPECT_EQ(e.status, 0);
-    EXPECT_TRUE(contains(e.err, "haas.nc: warning: the program says neither G20 nor G21")) << e.err;
+    EXPECT_TRUE(contains(e.err, "haas.nc: warning: the program has neither G20 nor G21")) << e.err;
     const std::string said = write("metric.toml", kMachine);
-    EXPECT_TRUE(contains(report({"--machine", said, "haas.nc"})["diagnostics"].dump(), "looks like inches"));
+    EXPECT_TRUE(
+        contains(report({"--machine", said, "haas.nc"})["diagnostics"].dump(), "seems to be in inches"));
     EXPECT_FALSE(contains(report({"--machine", machine("units = \"mm\"\n"), "haas.nc"})["diagnostics"].dump(),
                           "inches"));
     EXPECT_FALSE(contains(

@@ -181,12 +181,11 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
     };
     path(std::string(kStart) + R"({"fixed": "CLAMP7"})");
     EXPECT_EQ(of_router({"--machine-data", data}),
-              "p.path.json:1:88: error: the fixed point 'CLAMP7' is not among those of d.txt; there are 1 "
+              "p.path.json:1:88: error: the fixed point 'CLAMP7' is not defined in d.txt; available: 1 "
               "(PARK), 7\n");
-    EXPECT_EQ(
-        of_router({}),
-        "p.path.json:1:88: error: nothing says where the fixed point 'CLAMP7' lies; name the machine data by "
-        "--machine-data\n");
+    EXPECT_EQ(of_router({}),
+              "p.path.json:1:88: error: the position of the fixed point 'CLAMP7' is not defined; give the "
+              "machine data with --machine-data\n");
     EXPECT_TRUE(contains(rejected({"p.path.json", "--machine-data", "none.txt"}, 2), "none.txt"));
 
     path(std::string(kStart) + R"({"reference": 3})");
@@ -202,10 +201,9 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
                          "the post 'fanuc' has no words for reference points ([reference_points] go)"));
     write("mine.toml", std::regex_replace(post, std::regex("\nmachine = \"G53\"\n"), "\n"));
     path(std::string(kStart) + R"({"fixed": 7})");
-    EXPECT_TRUE(
-        contains(of_router({"--dialect", "mine.toml", "--machine-data", data}),
-                 "the post 'fanuc' has no word for machine coordinates ([offsets] machine), by which the "
-                 "machine would go to the fixed point 7"));
+    EXPECT_TRUE(contains(of_router({"--dialect", "mine.toml", "--machine-data", data}),
+                         "the post 'fanuc' has no word for machine coordinates ([offsets] machine), which "
+                         "are required to move to the fixed point 7"));
     write("e.txt", "NCFILE\nFIXED\n7 700 0 0\nENDFILE\n");
     EXPECT_TRUE(contains(of_router({"--machine-data", "e.txt"}), "out of reach: X 700 is outside 0 to 600"));
 }
@@ -224,7 +222,7 @@ TEST_F(MachinePoints, ReferencePointsOfTheMachineDataByTheirNames) {
     }
     path(std::string(kStart) + R"({"reference": "PIER"})");
     EXPECT_EQ(rejected({"p.path.json", "--machine", kRouter, "--machine-data", data}),
-              "p.path.json:1:88: error: the reference point 'PIER' is not among those of d.txt; there are 2 "
+              "p.path.json:1:88: error: the reference point 'PIER' is not defined in d.txt; available: 2 "
               "(Dock), 3\n");
 }
 
@@ -233,10 +231,9 @@ TEST_F(MachinePoints, AReferencePointThatNobodyKnowsIsNoted) {
     path(std::string(kStart) + R"({"reference": 4})");
     const Ended ended = path2gcode({"p.path.json", "--machine", kRouter, "--dialect", "fanuc", "-o", "o.nc"});
     EXPECT_EQ(ended.status, 0);
-    EXPECT_EQ(
-        ended.err,
-        "note: neither the machine file nor machine data say where the reference points 4 lie; Z goes there "
-        "first, as if that led up\n");
+    EXPECT_EQ(ended.err,
+              "note: neither the machine file nor machine data define the positions of the reference points "
+              "4; Z moves there first, as if it moved up\n");
     EXPECT_TRUE(contains(read("o.nc"), "G91 G30 P4 Z0.\nN50 G91 G30 P4 X0. Y0.\nN60 G90\n")) << read("o.nc");
 }
 
@@ -246,9 +243,8 @@ TEST_F(MachinePoints, TheJetIsOffOnTheWayAndTheToolSaidAgainBehindATurn) {
     const std::string start = R"({"motion": "rapid", "position_mm": [10, 20, 30], "tool_axis": [0, 0, 1],
         "feed_mm_min": 100, "actions": ["waterjet_on"]},)";
     path(start + R"({"fixed": 1})");
-    EXPECT_TRUE(
-        contains(rejected({"p.path.json", "--machine-data", data}),
-                 "the jet may be on where the machine goes to the fixed point 1; turn it off before"));
+    EXPECT_TRUE(contains(rejected({"p.path.json", "--machine-data", data}),
+                         "the jet may be on during the move to the fixed point 1; turn it off before"));
     const std::string off = R"({"position_mm": [10, 30, 30], "actions": ["waterjet_off"]},)";
     path(start + off + R"({"fixed": 3}, {"motion": "rapid", "position_mm": [10, 20, 30]})");
     EXPECT_TRUE(
@@ -258,11 +254,11 @@ TEST_F(MachinePoints, TheJetIsOffOnTheWayAndTheToolSaidAgainBehindATurn) {
     path(R"({"fixed": 2})");
     EXPECT_TRUE(
         contains(rejected({"p.path.json", "--machine-data", data}),
-                 "the fixed point 2 says of some rotary axes where they stand there, and nothing before it "
-                 "does of the others"));
+                 "the fixed point 2 defines the positions of only some rotary axes, and the others are "
+                 "undefined"));
     path(start + off + R"({"fixed": 1}, {"position_mm": [10, 20, 30]})");
     EXPECT_TRUE(contains(rejected({"p.path.json", "--machine-data", data}),
-                         "the first motion behind a fixed or reference point must be a rapid"));
+                         "the first motion after a fixed or reference point must be a rapid"));
 }
 
 // A path may begin while the axes' orientation is not known yet; it is known from its first point on.
@@ -294,14 +290,13 @@ TEST_F(MachinePoints, ScriptsBuildThem) {
         write("s.path.lua", "return path{name = 's', point" + point + "}\n");
         return rejected({"s.path.lua", "--machine", kRouter, "--machine-data", "d.txt"});
     };
-    EXPECT_TRUE(
-        contains(error("{fixed = 'PARK', motion = 'rapid'}"),
-                 "a target with the key 'fixed' is a point of the machine, which it goes to by a rapid; it "
-                 "cannot have 'motion'"));
-    EXPECT_TRUE(
-        contains(error("{reference = 5}"), "'reference' must be a whole number from 1 to 4; it is 5"));
+    EXPECT_TRUE(contains(error("{fixed = 'PARK', motion = 'rapid'}"),
+                         "a target with the key 'fixed' is a point of the machine, which is reached by a "
+                         "rapid; it cannot have 'motion'"));
+    EXPECT_TRUE(contains(error("{reference = 5}"), "'reference' must be an integer from 1 to 4; it is 5"));
     EXPECT_TRUE(contains(error("{fixed = {}}"), "'fixed' must be a name or a number"));
-    EXPECT_TRUE(contains(error("{fixed = '2nd'}"), "'fixed' takes the number of a fixed point, or its name"));
+    EXPECT_TRUE(
+        contains(error("{fixed = '2nd'}"), "'fixed' must be the number of a fixed point, or its name"));
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST_F(MachineStudies, AnArmThatCanTouchItselfIsStatusOne) {
 TEST_F(MachineStudies, ARouterIsClean) {
     const Ended e = gsim_run({"--check-machine", sample("machines/router3.toml")});
     EXPECT_EQ(e.status, 0) << e.err;
-    EXPECT_TRUE(contains(e.out, "clean: nothing was found")) << e.out;
+    EXPECT_TRUE(contains(e.out, "clean: no errors found")) << e.out;
 }
 
 TEST_F(MachineStudies, ObjectsOfACellAreLookedAt) {
@@ -50,7 +50,7 @@ TEST_F(MachineStudies, FaultsOfFilesAndOptionsAreUsage) {
     EXPECT_EQ(gsim_run({"--machine", router, "--envelope", "out.obj"}).status, 2);
     const Ended endless = gsim_run({"--machine", sample("machines/unlimited.toml"), "--envelope", "out.stl"});
     EXPECT_EQ(endless.status, 2);
-    EXPECT_TRUE(contains(endless.err, "has a range without end")) << endless.err;
+    EXPECT_TRUE(contains(endless.err, "axis X has an unlimited range")) << endless.err;
     EXPECT_FALSE(exists("out.stl"));
 }
 
@@ -70,7 +70,7 @@ TEST_F(MachineStudies, ThePictureOfTheAxesGoesToAFile) {
     EXPECT_TRUE(contains(read("axes.svg"), "+Y moves the tool to the back (+y)")) << read("axes.svg");
     const Ended bad = gsim_run({"--machine", sample("machines/router3.toml"), "--draw-axes", "axes.bmp"});
     EXPECT_EQ(bad.status, 2);
-    EXPECT_TRUE(contains(bad.err, "axes.bmp: the picture of the axes is a file that ends in .svg"))
+    EXPECT_TRUE(contains(bad.err, "axes.bmp: the picture of the axes must be a file that ends in .svg"))
         << bad.err;
 }
 

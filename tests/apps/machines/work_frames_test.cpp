@@ -162,7 +162,7 @@ TEST_F(WorkFrames, ARecordingSaysWhatItHasInItsNumbers) {
             return ran.out + ran.err;
         };
         const std::string moved = "the program has moved the work offset G";
-        const std::string length = "offsets of tools (G43) are in its positions";
+        const std::string length = "tool offsets (G43) are included in its positions";
         const std::string none = notes({"--work-offset", "G55", "--tool", "3"}, "3 0 6");
         EXPECT_FALSE(contains(none, moved) || contains(none, length)) << none;
         EXPECT_TRUE(contains(notes({"--work-offset", "G55", "--tool", "3"}, "3 4 6"), length));
@@ -184,35 +184,33 @@ TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
     EXPECT_EQ(rejected({"--dialect", "grbl", "--work-offset", "G59.1"}),
               "error: the post 'grbl' has no work offset G59.1; it has G54, G55, G56, G57, G58, G59\n");
     EXPECT_EQ(rejected({"--dialect", "grbl", "--tool", "3"}),
-              "error: the post 'grbl' has no words for 'tool_change T3', 'tool_length H3'; with --go-on they "
+              "error: the post 'grbl' has no words for 'tool_change T3', 'tool_length H3'; with "
+              "--continue-on-unknown they "
               "become comments\n");
-    EXPECT_TRUE(contains(rejected({"--tool", "3.5"}, 2), "--tool takes a whole number"));
+    EXPECT_TRUE(contains(rejected({"--tool", "3.5"}, 2), "--tool must be an integer"));
     EXPECT_EQ(rejected({"--tool", "3", "--retract", "9"}),
               "error: --retract: out of reach: Z 9 is outside -120 to 0\n");
-    EXPECT_EQ(
-        rejected({"--work-offset", "G55", "--offsets", "none"}),
-        "error: --offsets says how to write what a run has recorded; this path names its own work offsets\n");
+    EXPECT_EQ(rejected({"--work-offset", "G55", "--offsets", "none"}),
+              "error: --offsets applies to recorded paths; this path names its work offsets\n");
     EXPECT_TRUE(contains(rejected({"--tool", "3", "--dialect", "rs274ngc", "--offsets", "G53"}),
-                         "--offsets G53 is for paths without tools of their own"));
+                         "--offsets G53 applies to paths that name no tools"));
     const Ended other =
         path2gcode({write("own.path.json", R"({"paths": [{"name": "part", "work_offset": "G54", "targets": [
             {"motion": "rapid", "position_mm": [10, 20, -10]}]}]})"),
                     "--work-offset", "G55", "--set-offset", "5", "6", "0"});
-    EXPECT_EQ(other.err, "error: the path names G54 itself, and is not put where G55 is to be set\n");
+    EXPECT_EQ(other.err, "error: the path names G54, so G55 cannot be set for it\n");
     EXPECT_TRUE(
         contains(rejected({"--set-offset", "595", "0", "0"}), "out of reach: X 605 is outside 0 to 600"));
     driven(written("ab9", {part()}), "ab9", {"--record", "r.path.json"});
-    EXPECT_EQ(
-        path2gcode({"r.path.json", "--work-offset", "G55"}).err,
-        "error: work offsets and tools are of paths that no run has recorded; those of a recorded one are "
-        "at its points\n");
+    EXPECT_EQ(path2gcode({"r.path.json", "--work-offset", "G55"}).err,
+              "error: work offsets and tools apply to paths that are not recorded; a recorded path has them "
+              "at its points\n");
 }
 
 TEST_F(WorkFrames, WhatIsNotLookedAtIsSaid) {
-    EXPECT_EQ(path2gcode({part(), "--work-offset", "G55", "-o", "o.nc"}).err,
-              "note: the path does not say where G55 lies, so whether X, Y and Z stay in their ranges is not "
-              "looked "
-              "at\n");
+    EXPECT_EQ(
+        path2gcode({part(), "--work-offset", "G55", "-o", "o.nc"}).err,
+        "note: the path does not define the position of G55, so the ranges of X, Y and Z are not checked\n");
 }
 
 TEST_F(WorkFrames, LinuxCncReadsIt) {

@@ -24,7 +24,7 @@ TEST_F(TwoSlides, MeetAtTheSameTimeInBothPrograms) {
         EXPECT_EQ(collisions[0]["kind"], "penetrating");
         // Each point is in its own world.
         EXPECT_NEAR(collisions[0]["point_mm"][0].get<double>(), i == 0 ? left_mm : 700 - left_mm, 1e-5);
-        EXPECT_EQ(robots[i]["cell"]["looked_at"]["with_robots"], 1);
+        EXPECT_EQ(robots[i]["cell"]["checked"]["with_robots"], 1);
     }
     EXPECT_EQ(robots[0]["diagnostics"][1]["code"], "collision") << robots[0]["diagnostics"];
     EXPECT_EQ(meet(0, {"--no-collisions"}).status, 0);
@@ -44,8 +44,8 @@ TEST_F(TwoSlides, InTheSamePlaceAreNotLookedAt) {
     const Ended e = gsim_run({"--robots", "same.toml", "same.lua", "--json"});
     EXPECT_EQ(e.status, 0) << e.err;
     EXPECT_EQ(text::parse_json<json>(e.out)["warnings"],
-              json::array({"robots 'left' and 'right' stand in the same place (base): not looked at against "
-                           "each other; give each a base"}));
+              json::array({"robots 'left' and 'right' have the same base position: not checked against each "
+                           "other; give each a base"}));
 }
 
 // A program that its own process runs far ahead is checked all the same, and a body that it hits is at

@@ -144,7 +144,7 @@ TEST_F(Robots, TheSampleOfTwoSlidesTakesTurns) {
     EXPECT_NEAR(report["robots"][0]["cycle_time_s"].get<double>(), 3 * (2 * rapid_s + work_s), 1e-9);
     EXPECT_NEAR(report["robots"][1]["idle_s"].get<double>(), work_s, 1e-9);
     EXPECT_TRUE(report["robots"][0]["collisions"].empty());
-    EXPECT_EQ(report["robots"][1]["cell"]["looked_at"]["with_robots"], 1);
+    EXPECT_EQ(report["robots"][1]["cell"]["checked"]["with_robots"], 1);
 }
 
 TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
@@ -155,7 +155,8 @@ TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
     EXPECT_EQ(report["alarm"]["line"], 2);
     EXPECT_TRUE(report["robots"][1]["alarm"].is_null());
     EXPECT_TRUE(contains(run("robot 'lefd'\n")["alarm"]["message"], "did you mean 'left'?"));
-    EXPECT_TRUE(contains(run("robot('left').run 'none.nc'\n")["alarm"]["message"], "no file 'none.nc'"));
+    EXPECT_TRUE(
+        contains(run("robot('left').run 'none.nc'\n")["alarm"]["message"], "file 'none.nc' not found"));
     EXPECT_TRUE(contains(
         run("process('l', function() track 'belt' conveyor('belt').speed(3) end)\n")["alarm"]["message"],
         "cannot change"));
@@ -164,7 +165,7 @@ TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
 TEST_F(Robots, WhatDoesNotGoTogetherIsSaid) {
     const Ended e = run_sample({"--machine", "x.toml"});
     EXPECT_EQ(e.status, 2);
-    EXPECT_TRUE(contains(e.err, "--machine does not go with --robots")) << e.err;
+    EXPECT_TRUE(contains(e.err, "--machine cannot be combined with --robots")) << e.err;
     write("bad.toml", "[[robot]]\nnam = 'x'\n");
     EXPECT_EQ(gsim_run({"--robots", "bad.toml", write("a.lua", "G0{x=1}")}).status, 2);
 }

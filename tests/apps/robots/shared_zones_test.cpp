@@ -106,18 +106,17 @@ TEST_F(SharedZones, ADeadLockIsNamed) {
     const json report = share("enter_zone 'fixture'\nwait(1)\nenter_zone 'table'\n",
                               "enter_zone 'table'\nwait(2)\nenter_zone 'fixture'\n", 1);
     EXPECT_EQ(report["alarm"]["message"],
-              "dead-lock: 'r' (zones.lua:9) waits for the zone 'fixture', which 'l' has, 'l' (zones.lua:4) "
-              "waits for "
-              "the zone 'table', which 'r' has");
+              "deadlock: 'r' (zones.lua:9) waits for the zone 'fixture', which 'l' occupies, 'l' "
+              "(zones.lua:4) waits for the zone 'table', which 'r' occupies");
     const json by_signal =
         share("enter_zone 'fixture'\nwait_until 'done'\n", "wait(1)\nenter_zone 'fixture'\n", 1);
     EXPECT_TRUE(contains(by_signal["alarm"]["message"],
-                         "dead-lock, nothing can go on: 'l' (zones.lua:3) waits for 'done'"))
+                         "deadlock, no process can continue: 'l' (zones.lua:3) waits for 'done'"))
         << by_signal["alarm"];
     EXPECT_TRUE(
         contains(share("enter_zone 'fixtur'\n", "", 1)["alarm"]["message"], "did you mean 'fixture'?"));
-    EXPECT_TRUE(
-        contains(share("leave_zone 'table'\n", "", 1)["alarm"]["message"], "does not have the zone 'table'"));
+    EXPECT_TRUE(contains(share("leave_zone 'table'\n", "", 1)["alarm"]["message"],
+                         "does not occupy the zone 'table'"));
 }
 
 // A device that runs endlessly does not hide the dead-lock; without one, no process can continue.
@@ -130,9 +129,9 @@ TEST_F(SharedZones, AZoneThatIsKeptBehindTheEndIsADeadLock) {
               device + left + "process('r', function() wait(" + wait + ")\nenter_zone 'fixture' end)\n");
         const Ended e = gsim_run({"--robots", "zones.toml", "kept.lua", "--json"});
         EXPECT_EQ(e.status, 1) << e.err;
-        EXPECT_EQ(
-            text::parse_json<json>(e.out)["robots"][0]["alarm"]["message"],
-            "dead-lock: 'r' (kept.lua:4) waits for the zone 'fixture', which 'l' has, though it has ended")
+        EXPECT_EQ(text::parse_json<json>(e.out)["robots"][0]["alarm"]["message"],
+                  "deadlock: 'r' (kept.lua:4) waits for the zone 'fixture', which 'l' occupies, although "
+                  "it has ended")
             << e.out;
     }
 }

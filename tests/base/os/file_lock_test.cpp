@@ -29,14 +29,14 @@ TEST_F(FileLockTest, OneHasItAtATime) {
     std::optional<FileLock> first;
     {
         auto got = FileLock::get(file_, 0ms);
-        ASSERT_TRUE(got) << got.error();
+        ASSERT_TRUE(got) << got.error().message;
         first.emplace(*std::move(got));
     }
     const auto second = FileLock::get(file_, 0ms);
     ASSERT_FALSE(second);
-    EXPECT_EQ(second.error(),
+    EXPECT_EQ(second.error().message,
               "cannot change '" + file_.string() +
-                  "': another program is changing it, and has not ended within 0 s (its lock is '" +
+                  "': another program is changing it, and has not finished within 0 s (its lock is '" +
                   (folder_ / ".d.txt.lock").string() + "')");
     EXPECT_TRUE(FileLock::get(folder_ / "other", 0ms)) << "another file's";
     first.reset();
@@ -68,7 +68,7 @@ TEST_F(FileLockTest, DevicesNeedNone) {
 TEST_F(FileLockTest, ErrorsNameTheFile) {
     const auto lock = FileLock::get(folder_ / "no" / "d.txt", 0ms);
     ASSERT_FALSE(lock);
-    EXPECT_EQ(lock.error(),
+    EXPECT_EQ(lock.error().message,
               "cannot write '" + (folder_ / "no" / "d.txt").string() + "': No such file or directory");
 }
 

@@ -34,7 +34,7 @@ class OutputFileTest : public testing::Test {
 
 TEST_F(OutputFileTest, AppearsOnlyWhenCommitted) {
     auto file = OutputFile::open(folder / "a");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     std::fputs("new", file->stream());
     EXPECT_FALSE(fs::exists(folder / "a"));
     EXPECT_TRUE(file->commit());
@@ -46,7 +46,7 @@ TEST_F(OutputFileTest, WithoutACommitTheOldFileStays) {
     write(folder / "a", "old");
     {
         auto file = OutputFile::open(folder / "a");
-        ASSERT_TRUE(file) << file.error();
+        ASSERT_TRUE(file) << file.error().message;
         std::fputs("new", file->stream());
     }
     EXPECT_EQ(content(folder / "a"), "old");
@@ -58,7 +58,7 @@ TEST_F(OutputFileTest, KeepsPermissionsAndSymbolicLinks) {
     fs::permissions(folder / "a", fs::perms(0640));
     fs::create_symlink("a", folder / "link");
     auto file = OutputFile::open(folder / "link");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     std::fputs("new", file->stream());
     ASSERT_TRUE(file->commit());
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
@@ -69,21 +69,21 @@ TEST_F(OutputFileTest, KeepsPermissionsAndSymbolicLinks) {
 TEST_F(OutputFileTest, ErrorsNameTheFile) {
     const auto missing = OutputFile::open(folder / "no" / "a");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error(),
+    EXPECT_EQ(missing.error().message,
               "cannot write '" + (folder / "no" / "a").string() + "': No such file or directory");
     const auto directory = OutputFile::open(folder);
     ASSERT_FALSE(directory);
-    EXPECT_EQ(directory.error(), "cannot write '" + folder.string() + "': Is a directory");
+    EXPECT_EQ(directory.error().message, "cannot write '" + folder.string() + "': Is a directory");
 }
 
 TEST_F(OutputFileTest, WhatIsToStayStays) {
     auto file = OutputFile::open(folder / "a", ExistingFilePolicy::keep);
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     file->write("new");
     write(folder / "a", "somebody else's");
     const auto committed = file->commit();
     ASSERT_FALSE(committed);
-    EXPECT_EQ(committed.error(), "cannot write '" + (folder / "a").string() + "': File exists");
+    EXPECT_EQ(committed.error().message, "cannot write '" + (folder / "a").string() + "': File exists");
     EXPECT_EQ(content(folder / "a"), "somebody else's");
     EXPECT_TRUE(OutputFile::open(folder / "b", ExistingFilePolicy::keep)->commit());
     EXPECT_TRUE(fs::exists(folder / "b"));
@@ -98,16 +98,16 @@ TEST_F(OutputFileTest, IsBroughtToTheDiskWhereAsked) {
 // The buffer of the stream is empty again when commit() checks it.
 TEST(OutputFile, TheReasonOfAnEarlyFailureIsKept) {
     auto file = OutputFile::open("/dev/full");
-    if (!file) GTEST_SKIP() << file.error();
+    if (!file) GTEST_SKIP() << file.error().message;
     file->write(std::string(1 << 20, 'a'));
     const auto committed = file->commit();
     ASSERT_FALSE(committed);
-    EXPECT_EQ(committed.error(), "cannot write '/dev/full': No space left on device");
+    EXPECT_EQ(committed.error().message, "cannot write '/dev/full': No space left on device");
 }
 
 TEST(OutputFile, DeviceIsWrittenDirectlyAndStaysADevice) {
     auto file = OutputFile::open("/dev/null");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     EXPECT_TRUE(file->commit());
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
@@ -116,7 +116,7 @@ TEST(OutputFile, PipeIsWrittenDirectly) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     auto file = OutputFile::open("/dev/fd/" + std::to_string(ends[1]));
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     std::fputs("text", file->stream());
     EXPECT_TRUE(file->commit());
     char text[5] = {};
@@ -128,11 +128,11 @@ TEST(OutputFile, PipeIsWrittenDirectly) {
 
 TEST(OutputFile, FullDiskIsReported) {
     auto file = OutputFile::open("/dev/full");
-    if (!file) GTEST_SKIP() << file.error();
+    if (!file) GTEST_SKIP() << file.error().message;
     std::fputs("text", file->stream());
     const auto committed = file->commit();
     ASSERT_FALSE(committed);
-    EXPECT_EQ(committed.error(), "cannot write '/dev/full': No space left on device");
+    EXPECT_EQ(committed.error().message, "cannot write '/dev/full': No space left on device");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class BoundFolderTest : public testing::Test {
         write_file("in/sub/deep.nc", "G0\n");
         write_file("secret.txt", "secret");
         auto folder = RootedDirectory::open(around_ / "in");
-        ASSERT_TRUE(folder) << folder.error();
+        ASSERT_TRUE(folder) << folder.error().message;
         folder_.emplace(*std::move(folder));
     }
     void TearDown() override { fs::remove_all(around_); }

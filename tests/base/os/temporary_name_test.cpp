@@ -103,7 +103,7 @@ TEST_F(TemporaryNameTest, AFileThatOutgrowsItsLimitIsAnError) {
         const rlimit limit{1000, 1000};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         const auto written = write_file(folder_ / "a", std::string(100'000, 'a'));
-        ::_exit(!written && written.error().ends_with(": File too large") ? 0 : 1);
+        ::_exit(!written && written.error().message.ends_with(": File too large") ? 0 : 1);
     });
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
     EXPECT_EQ(text(), "old");

@@ -139,7 +139,7 @@ class RandomEdits {
         if (old.is_structured()) return;
         const json value = other_value();
         const auto done = edit.set(path, value);
-        ASSERT_TRUE(done) << done.error();
+        ASSERT_TRUE(done) << done.error().message;
         json expected_value = *toml_json(text_, "sample");
         expected_value.at(pointer(path)) = value;
         EXPECT_EQ(edit.value(), expected_value);
@@ -158,7 +158,7 @@ class RandomEdits {
             value.insert(value.begin() + static_cast<std::ptrdiff_t>(random_() % value.size()), each);
         }
         const auto done = edit.set(path, value);
-        ASSERT_TRUE(done) << done.error();
+        ASSERT_TRUE(done) << done.error().message;
         json expected_value = *toml_json(text_, "sample");
         expected_value.at(pointer(path)) = value;
         EXPECT_EQ(edit.value(), expected_value) << edit.text();
@@ -166,14 +166,14 @@ class RandomEdits {
             EXPECT_LE(lost_comments(edit.text(), text_), 1U) << edit.text();
         }
         const auto back = edit.set(path, old);
-        ASSERT_TRUE(back) << back.error();
+        ASSERT_TRUE(back) << back.error().message;
         EXPECT_EQ(edit.value(), *toml_json(text_, "sample")) << edit.text();
     }
 
     void remove(TomlEditor& edit, const TomlPath& path, const json& old) {
         const json before = edit.value();
         const auto done = edit.remove(path);
-        ASSERT_TRUE(done) << done.error();
+        ASSERT_TRUE(done) << done.error().message;
         json expected_value = before;
         const json::json_pointer to = pointer(path);
         if (std::holds_alternative<std::size_t>(path.back())) {
@@ -186,13 +186,13 @@ class RandomEdits {
         if (std::holds_alternative<std::size_t>(path.back())) {
             const TomlPath list(path.begin(), path.end() - 1);
             const auto added = edit.add(list, old);
-            ASSERT_TRUE(added) << added.error() << edit.text();
+            ASSERT_TRUE(added) << added.error().message << edit.text();
             const std::size_t last = before.at(to.parent_pointer()).size() - 1;
             const auto moved = edit.move(below(list, last), std::get<std::size_t>(path.back()));
-            ASSERT_TRUE(moved) << moved.error() << edit.text();
+            ASSERT_TRUE(moved) << moved.error().message << edit.text();
         } else {
             const auto repeated = edit.set(path, old);
-            ASSERT_TRUE(repeated) << repeated.error() << edit.text();
+            ASSERT_TRUE(repeated) << repeated.error().message << edit.text();
         }
         EXPECT_EQ(edit.value(), before) << edit.text();
     }
@@ -205,13 +205,13 @@ class RandomEdits {
             added = below(path, old.size());
             const json value = old.empty() ? json(1) : any(old);
             const auto done = edit.add(path, value);
-            ASSERT_TRUE(done) << done.error();
+            ASSERT_TRUE(done) << done.error().message;
             expected_value.at(pointer(path)).push_back(value);
         } else if (old.is_object()) {
             added = below(path, "a new key");
             const json value = other_value();
             const auto done = edit.set(added, value);
-            ASSERT_TRUE(done) << done.error();
+            ASSERT_TRUE(done) << done.error().message;
             expected_value.at(pointer(path))["a new key"] = value;
         } else {
             return;
@@ -219,7 +219,7 @@ class RandomEdits {
         EXPECT_EQ(edit.value(), expected_value) << edit.text();
         EXPECT_LE(lost_lines(text_, edit.text()), 1U) << edit.text();
         const auto taken = edit.remove(added);
-        ASSERT_TRUE(taken) << taken.error();
+        ASSERT_TRUE(taken) << taken.error().message;
         EXPECT_EQ(edit.value(), before) << edit.text();
         EXPECT_EQ(lost_lines(text_, edit.text()), 0U) << edit.text();
     }
@@ -230,7 +230,7 @@ class RandomEdits {
         const std::size_t from = std::get<std::size_t>(path.back());
         const std::size_t to = random_() % before.at(pointer(list)).size();
         const auto done = edit.move(path, to);
-        ASSERT_TRUE(done) << done.error();
+        ASSERT_TRUE(done) << done.error().message;
         json expected_value = before;
         json& elements = expected_value.at(pointer(list));
         const json moved = elements[from];
@@ -238,7 +238,7 @@ class RandomEdits {
         elements.insert(elements.begin() + static_cast<std::ptrdiff_t>(to), moved);
         EXPECT_EQ(edit.value(), expected_value) << edit.text();
         const auto back = edit.move(below(list, to), from);
-        ASSERT_TRUE(back) << back.error();
+        ASSERT_TRUE(back) << back.error().message;
         EXPECT_EQ(edit.value(), before);
         EXPECT_EQ(lost_lines(text_, edit.text()), 0U) << edit.text();
     }

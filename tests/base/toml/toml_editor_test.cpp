@@ -11,11 +11,11 @@ using nlohmann::ordered_json;
 template <typename Change>
 std::string after(const std::string& text, const Change& change) {
     auto edit = TomlEditor::read(text, "part.toml");
-    if (!edit) return edit.error();
-    const TomlEditor::VoidResult done = change(*edit);
+    if (!edit) return edit.error().message;
+    const Result<void> done = change(*edit);
     if (!done) {
         EXPECT_EQ(edit->text(), text);
-        return done.error();
+        return done.error().message;
     }
     EXPECT_EQ(edit->value(), *toml_json(edit->text(), "again"));
     return edit->text();
@@ -263,35 +263,35 @@ TEST(TomlEditor, AnElementOfAListMovesWithItsComments) {
 
 TEST(TomlEditor, WhatCannotBeDoneIsRefusedAndChangesNothing) {
     EXPECT_EQ(set("a = \n", {"a"}, 1).substr(0, 13), "part.toml:1:5");
-    EXPECT_EQ(removed(kMachine, {"axis", std::size_t{2}}), "there is no 'axis[2]' to remove");
-    EXPECT_EQ(removed(kMachine, {"tool"}), "there is no 'tool' to remove");
-    EXPECT_EQ(removed(kMachine, {}), "a document itself is not removed");
-    EXPECT_EQ(moved(kMachine, {"axis", kFirst}, 2), "'axis' has 2 elements, from 0 on; there is no place 2");
-    EXPECT_EQ(moved(kMachine, {"machine"}, 0), "'machine' is no element of a list");
-    EXPECT_EQ(moved(kMachine, {"shape", kFirst}, 0), "there is no 'shape[0]' to move");
+    EXPECT_EQ(removed(kMachine, {"axis", std::size_t{2}}), "'axis[2]' does not exist and cannot be removed");
+    EXPECT_EQ(removed(kMachine, {"tool"}), "'tool' does not exist and cannot be removed");
+    EXPECT_EQ(removed(kMachine, {}), "the document itself cannot be removed");
+    EXPECT_EQ(moved(kMachine, {"axis", kFirst}, 2),
+              "'axis' has 2 elements, from 0 on; index 2 does not exist");
+    EXPECT_EQ(moved(kMachine, {"machine"}, 0), "'machine' is not an element of a list");
+    EXPECT_EQ(moved(kMachine, {"shape", kFirst}, 0), "'shape[0]' does not exist and cannot be moved");
     EXPECT_EQ(set(kMachine, {"machine"}, 3),
-              "'machine' is a table on lines of its own; a number cannot stand in its place");
+              "'machine' is a table on separate lines; a number cannot replace it");
     EXPECT_EQ(set(kMachine, {"machine", "name", "first"}, 3),
-              "'machine.name' is a text, and has no key 'first'");
+              "'machine.name' is a string, and has no key 'first'");
     EXPECT_EQ(set(kMachine, {"axis", "letter"}, "X"), "'axis' is a list, and has no key 'letter'");
     EXPECT_EQ(set(kMachine, {"machine", kFirst}, "X"), "'machine' is a table, and has no elements");
     EXPECT_EQ(set(kMachine, {"axis", std::size_t{5}, "letter"}, "Z"),
-              "'axis' has 2 elements; the next one is 2");
+              "'axis' has 2 elements; the next index is 2");
     EXPECT_EQ(set(kMachine, {"shape", std::size_t{5}, "letter"}, "Z"),
-              "'shape[5].letter' cannot be made: the first element of a new list is 0");
+              "'shape[5].letter' cannot be created: the first index of a new list must be 0");
     EXPECT_EQ(set(kMachine, {"axis"}, ordered_json::array()),
-              "'axis' is made by its entries; an empty one is removed");
+              "'axis' is created by its entries; an empty one is removed");
     EXPECT_EQ(add(kMachine, {"machine"}, 1), "'machine' is a table, and has no elements");
-    EXPECT_EQ(add(kMachine, {"axis"}, 1), "'axis' is a list of tables; a number cannot be one of them");
-    EXPECT_EQ(set(kMachine, {"machine", "name"}, nullptr),
-              "null is no value of TOML; a key is taken away by removing it");
-    EXPECT_EQ(set(kMachine, {}, 3), "a document is a table, with keys");
-    EXPECT_EQ(set(kMachine, TomlPath(40, "a"), 3), "a path leads through 32 tables and lists at most");
+    EXPECT_EQ(add(kMachine, {"axis"}, 1), "'axis' is a list of tables; a number cannot be an element of it");
+    EXPECT_EQ(set(kMachine, {"machine", "name"}, nullptr), "TOML has no null; remove the key instead");
+    EXPECT_EQ(set(kMachine, {}, 3), "a document must be a table, with keys");
+    EXPECT_EQ(set(kMachine, TomlPath(40, "a"), 3), "a path may lead through at most 32 tables and lists");
 }
 
 TEST(TomlEditor, WhatStandsInTheWayOfALaterPartTakesBackTheEarlierOnes) {
     EXPECT_EQ(set(kMachine, {}, {{"machine", {{"name", "mill"}}}, {"axis", 3}}),
-              "'axis' is a list on lines of its own; a number cannot stand in its place");
+              "'axis' is a list on separate lines; a number cannot replace it");
 }
 
 }  // namespace

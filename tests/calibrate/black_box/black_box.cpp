@@ -33,8 +33,8 @@ struct Usable {
     Predictor predictor;
 };
 
-tl::expected<Usable, std::string> usable_runs(const BlackBox& box, const machine::Machine& machine,
-                                              const std::string& data, std::vector<std::string>& left_out) {
+Result<Usable> usable_runs(const BlackBox& box, const machine::Machine& machine, const std::string& data,
+                           std::vector<std::string>& left_out) {
     std::vector<RecordedRun> runs;
     for (const accuracy::Recording& recording : box.recordings)
         runs.push_back({recording.program.string(), recording.cycle_time_s});
@@ -49,18 +49,18 @@ tl::expected<Usable, std::string> usable_runs(const BlackBox& box, const machine
             places.push_back(i);
             good.push_back(runs[i]);
         } else {
-            left_out.push_back(fmt::format("{}: {}", box.recordings[i].name, times[i].error()));
+            left_out.push_back(fmt::format("{}: {}", box.recordings[i].name, times[i].error().message));
         }
     }
     return Usable{std::move(good), predictor->part(places)};
 }
 
-tl::expected<void, std::string> predict(const Usable& usable, std::span<const std::size_t> places,
-                                        const machine::Machine& machine, BoxOutcome& outcome) {
+Result<void> predict(const Usable& usable, std::span<const std::size_t> places,
+                     const machine::Machine& machine, BoxOutcome& outcome) {
     const auto runs = select_runs(usable.runs, places);
     const auto times = usable.predictor.part(places).times_s(machine);
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (!times[i]) return tl::unexpected(fmt::format("{}: {}", runs[i].program, times[i].error()));
+        if (!times[i]) return Unexpected(fmt::format("{}: {}", runs[i].program, times[i].error().message));
         outcome.foretold.push_back({runs[i], *times[i]});
     }
     return {};
@@ -101,11 +101,11 @@ machine::Machine without_inside(machine::Machine machine) {
     constexpr double kUnlimited = std::numeric_limits<double>::infinity();
     rrs::ControllerRules generic;
     // These are known from its manual: whether it has arcs and boring cycles, and how it drills.
-    generic.arc_resolution_mm = machine.controller.arc_resolution_mm;
-    generic.boring_cycles = machine.controller.boring_cycles;
-    generic.pecks_feed_down = machine.controller.pecks_feed_down;
-    generic.peck_clearance_mm = machine.controller.peck_clearance_mm;
-    generic.peck_dwell_s = machine.controller.peck_dwell_s;
+    generic.klipper.arc_resolution_mm = machine.controller.klipper.arc_resolution_mm;
+    generic.drilling.boring_cycles = machine.controller.drilling.boring_cycles;
+    generic.drilling.pecks_feed_down = machine.controller.drilling.pecks_feed_down;
+    generic.drilling.peck_clearance_mm = machine.controller.drilling.peck_clearance_mm;
+    generic.drilling.peck_dwell_s = machine.controller.drilling.peck_dwell_s;
     machine.controller = generic;
     machine.times = {};
     machine.path.max_acceleration_mm_s2 = kUnlimited;
@@ -128,15 +128,14 @@ std::vector<Candidate> candidates_for(const std::string& box, const machine::Mac
     return candidates;
 }
 
-tl::expected<BoxOutcome, std::string> try_box(const BlackBox& box, const machine::Machine& machine,
-                                              std::size_t fitted, std::size_t most_moves, std::uint32_t seed,
-                                              const std::string& data,
-                                              const std::function<void(const std::string&)>& on_progress) {
+Result<BoxOutcome> try_box(const BlackBox& box, const machine::Machine& machine, std::size_t fitted,
+                           std::size_t most_moves, std::uint32_t seed, const std::string& data,
+                           const std::function<void(const std::string&)>& on_progress) {
     BoxOutcome outcome;
     const auto usable = usable_runs(box, machine, data, outcome.left_out);
     if (!usable) return tl::unexpected(usable.error());
     if (usable->runs.size() < fitted + kLeastForetold)
-        return tl::unexpected(fmt::format("{} runs are too few", usable->runs.size()));
+        return Unexpected(fmt::format("{} runs are too few", usable->runs.size()));
     auto order = shuffled(usable->runs.size(), seed);
     std::stable_partition(order.begin(), order.end(), [&](std::size_t place) {
         return usable->predictor.request_count(place) <= most_moves;

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/times/model_selection.h"
 #include "machine/model/machine.h"
 #include "tests/accuracy/recording.h"
@@ -53,9 +52,8 @@ struct BoxOutcome {
 
 /// Fits to `fitted` runs that a seed chooses among those of at most `most_moves` moves, and predicts all
 /// others. `data`: file of tools. The error: too few runs, or none of the models can be fitted.
-tl::expected<BoxOutcome, std::string> try_box(const BlackBox& box, const machine::Machine& machine,
-                                              std::size_t fitted, std::size_t most_moves, std::uint32_t seed,
-                                              const std::string& data,
-                                              const std::function<void(const std::string&)>& on_progress);
+Result<BoxOutcome> try_box(const BlackBox& box, const machine::Machine& machine, std::size_t fitted,
+                           std::size_t most_moves, std::uint32_t seed, const std::string& data,
+                           const std::function<void(const std::string&)>& on_progress);
 
 }  // namespace gsim::calibrate

@@ -113,7 +113,7 @@ void add_boxes(const accuracy::Controller& controller, const Arguments& argument
     const fs::path folder = fs::path(arguments.folder) / controller.name;
     if (!fs::is_directory(folder)) return;
     const auto recordings = accuracy::find_recordings(folder, controller);
-    if (!recordings) throw std::runtime_error(recordings.error());
+    if (!recordings) throw std::runtime_error(recordings.error().message);
     for (BlackBox& box : black_boxes(*recordings)) {
         const auto same = std::find_if(boxes.begin(), boxes.end(),
                                        [&](const BlackBox& other) { return other.name == box.name; });
@@ -143,11 +143,11 @@ int run(const Arguments& arguments) {
         if (box.name.rfind(arguments.only, 0) != 0) continue;
         const auto machine =
             machine::load_machine(tests::machine_file_in(arguments.machines, box.name + ".toml"));
-        if (!machine) throw std::runtime_error(machine.error());
+        if (!machine) throw std::runtime_error(machine.error().message);
         auto outcome = try_box(box, without_inside(*machine), arguments.fitted, arguments.most_moves,
                                static_cast<std::uint32_t>(arguments.seed), data, print_progress);
         if (!outcome) {
-            fmt::print("{}: {}\n", box.name, outcome.error());
+            fmt::print("{}: {}\n", box.name, outcome.error().message);
             continue;
         }
         count(*outcome, sums);
@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
                                "Fits generic models to recorded controls, and tells how near they foretell");
         calibrate::add_options(line, arguments);
         const auto parsed = apps::parse(line, std::vector<std::string>(argv + 1, argv + argc));
-        if (!parsed) throw std::runtime_error(parsed.error());
+        if (!parsed) throw std::runtime_error(parsed.error().message);
         if (*parsed) return **parsed;
         return calibrate::run(arguments);
     } catch (const std::exception& error) {

@@ -26,7 +26,7 @@ CutRules rules() {
 
 Autopath path_of(const std::vector<Contour>& contours, const AutopathOptions& options = {}) {
     auto result = autopath(drawing_of(contours), rules(), options);
-    EXPECT_TRUE(result) << result.error();
+    EXPECT_TRUE(result) << result.error().message;
     return result ? *result : Autopath{};
 }
 
@@ -156,7 +156,7 @@ TEST(Autopath, EdgesHaveBevelsOfTheirOwn) {
     for (geometry::Vertex& vertex : drawing.drawn_contours.back().vertices) vertex.source = 4;
     drawing.entities.push_back({"hole", "", 0, 25});
     const auto autopath_result = autopath(drawing, rules(), {});
-    ASSERT_TRUE(autopath_result) << autopath_result.error();
+    ASSERT_TRUE(autopath_result) << autopath_result.error().message;
     EXPECT_FALSE(path::validate(autopath_result->program));
     const double round = 8 + kDepth * std::tan(25 * std::numbers::pi / 180);
     const auto at = [&](std::size_t side) {

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 std::string error_message(const std::vector<Contour>& contours, double kerf_mm = 1) {
     const auto layout = make_layout(drawing_of(contours), {kerf_mm, 0.02});
     EXPECT_FALSE(layout);
-    return layout ? "" : layout.error();
+    return layout ? "" : layout.error().message;
 }
 
 TEST(Layout, PartsGrowAndHolesShrink) {
@@ -25,7 +25,7 @@ TEST(Layout, PartsGrowAndHolesShrink) {
         make_layout(drawing_of({geometry::circle({0, 0}, 10), geometry::rectangle({-30, -20}, {30, 20}),
                                 geometry::circle({0, 0}, 4)}),
                     {0.8, 0.02});
-    ASSERT_TRUE(layout) << layout.error();
+    ASSERT_TRUE(layout) << layout.error().message;
     ASSERT_EQ(layout->loops.size(), 3U);
     constexpr double kPi = std::numbers::pi;
     EXPECT_NEAR(area_mm2(layout->loops[0].contour), -kPi * 9.6 * 9.6, 1e-6);  // a hole, clockwise
@@ -47,8 +47,8 @@ TEST(Layout, MessagesNameEntityAndPlace) {
     EXPECT_THAT(error_message({geometry::circle({}, 20), geometry::circle({}, 0.4)}),
                 HasSubstr("narrower than the kerf"));
     EXPECT_THAT(error_message({geometry::circle({}, 5), geometry::circle({10.5, 0}, 5)}),
-                HasSubstr("nearer to each other than the kerf"));
-    EXPECT_THAT(error_message({geometry::polygon({{0, 0}, {5, 5}})}), HasSubstr("encloses nothing"));
+                HasSubstr("closer to each other than the kerf of 1 mm"));
+    EXPECT_THAT(error_message({geometry::polygon({{0, 0}, {5, 5}})}), HasSubstr("encloses no area"));
     EXPECT_THAT(error_message({}), HasSubstr("no contour"));
 }
 
@@ -66,7 +66,7 @@ TEST(Layout, AHoleWithANarrowNeckIsCutInTwoLoopsAndThatIsSaid) {
                                             {10, 10},
                                             {0, 10}});
     const auto layout = make_layout(drawing_of({geometry::rectangle({-10, -10}, {40, 20}), neck}), {1, 0.02});
-    ASSERT_TRUE(layout) << layout.error();
+    ASSERT_TRUE(layout) << layout.error().message;
     EXPECT_EQ(layout->loops.size(), 3U);
     ASSERT_EQ(layout->notes.size(), 1U);
     EXPECT_THAT(layout->notes[0], HasSubstr("narrower than the kerf"));

@@ -25,7 +25,7 @@ TEST(Order, WhatLiesWithinComesFirst) {
     }
     std::shuffle(contours.begin(), contours.end(), random);
     const auto layout = make_layout(drawing_of(contours), {1, 0.02});
-    ASSERT_TRUE(layout) << layout.error();
+    ASSERT_TRUE(layout) << layout.error().message;
     const std::vector<Cut> cuts = add_leads(*layout, 1, 3);
     const std::vector<std::size_t> order = cutting_order(*layout, cuts, {0, 0});
     ASSERT_EQ(order.size(), cuts.size());

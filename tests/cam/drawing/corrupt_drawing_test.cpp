@@ -70,9 +70,9 @@ std::string mangled(std::string text, std::mt19937& random) {
     return text;
 }
 
-void expect_sound(const tl::expected<Drawing, std::string>& drawing) {
+void expect_sound(const Result<Drawing>& drawing) {
     if (!drawing) {
-        EXPECT_FALSE(drawing.error().empty());
+        EXPECT_FALSE(drawing.error().message.empty());
         return;
     }
     for (const geometry::Contour& drawn_contour : drawing->drawn_contours) {

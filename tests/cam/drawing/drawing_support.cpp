@@ -36,26 +36,26 @@ std::vector<double> areas_of(const Drawing& drawing) {
 
 Drawing dxf_drawing(const std::string& text, const ReadOptions& options) {
     auto drawing = read_dxf(text, options);
-    EXPECT_TRUE(drawing) << drawing.error();
+    EXPECT_TRUE(drawing) << drawing.error().message;
     return drawing ? *drawing : Drawing{};
 }
 
 Drawing svg_drawing(const std::string& text, const ReadOptions& options) {
     auto drawing = read_svg(text, options);
-    EXPECT_TRUE(drawing) << drawing.error();
+    EXPECT_TRUE(drawing) << drawing.error().message;
     return drawing ? *drawing : Drawing{};
 }
 
 std::string dxf_fault(const std::string& text) {
     const auto drawing = read_dxf(text, {});
     EXPECT_FALSE(drawing);
-    return drawing ? "" : drawing.error();
+    return drawing ? "" : drawing.error().message;
 }
 
 std::string svg_fault(const std::string& text) {
     const auto drawing = read_svg(text, {});
     EXPECT_FALSE(drawing);
-    return drawing ? "" : drawing.error();
+    return drawing ? "" : drawing.error().message;
 }
 
 }  // namespace gsim::drawing

@@ -140,7 +140,7 @@ TEST(Dxf, ASplineThroughItsFitPoints) {
 }
 
 TEST(Dxf, EmptyAndBinaryFilesAreRefused) {
-    EXPECT_EQ(dxf_fault(""), "line 1: the file ends without EOF: it was cut off, or is no DXF file");
+    EXPECT_EQ(dxf_fault(""), "line 1: the file ends without EOF: it is truncated, or not a DXF file");
     EXPECT_THAT(dxf_fault(std::string("AutoCAD Binary DXF\r\n\x1a\0\0", 23)),
                 HasSubstr("save it as text (ASCII)"));
 }
@@ -216,7 +216,7 @@ TEST(Dxf, MessagesNameEntityAndPlace) {
     EXPECT_THAT(error({{0, "CIRCLE"}, {10, "0"}, {40, "1"}}), HasSubstr("no value of group code 20"));
     EXPECT_THAT(error({{0, "INSERT"}, {2, "gone"}, {10, "0"}, {20, "0"}}), HasSubstr("'gone'"));
     EXPECT_THAT(error({{0, "LWPOLYLINE"}, {90, "3"}, {10, "0"}, {20, "0"}, {10, "1"}, {20, "0"}}),
-                HasSubstr("says that it has 3 corners, but has 2"));
+                HasSubstr("specifies 3 corners, but has 2"));
     EXPECT_THAT(error({{0, "SPLINE"}, {71, "3"}, {10, "0"}, {20, "0"}}), HasSubstr("control points"));
     EXPECT_THAT(error({{0, "LINE"}, {10, "0"}, {20, "0"}, {30, "0"}, {11, "3"}, {21, "4"}, {31, "5"}}),
                 HasSubstr("rises by 5"));
@@ -235,7 +235,7 @@ TEST(Dxf, ABlockThatHoldsItselfEnds) {
                                                          {71, "100"},
                                                          {0, "ENDBLK"}}));
     const std::string text = dxf_of(groups({{0, "INSERT"}, {2, "a"}, {10, "0"}, {20, "0"}}), blocks);
-    EXPECT_THAT(dxf_fault(text), HasSubstr("does one hold itself?"));
+    EXPECT_THAT(dxf_fault(text), HasSubstr("does one contain itself?"));
 }
 
 TEST(Dxf, ATruncatedFileIsSeen) {

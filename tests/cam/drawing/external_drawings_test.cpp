@@ -38,7 +38,7 @@ class Foreign : public testing::Test {
     }
     Drawing read(const std::string& name) const {
         const auto drawing = read_drawing(folder_ / name, {});
-        EXPECT_TRUE(drawing) << drawing.error();
+        EXPECT_TRUE(drawing) << drawing.error().message;
         return drawing ? *drawing : Drawing{};
     }
 
@@ -86,8 +86,8 @@ TEST_F(Foreign, LibreCadLibrary) {
         if (entry.path().extension() != ".dxf") continue;
         const auto drawing = read_drawing(entry.path(), {});
         if (!drawing) {
-            EXPECT_THAT(drawing.error(), testing::AnyOf(testing::HasSubstr("has no length"),
-                                                        testing::HasSubstr("has the radius 0")));
+            EXPECT_THAT(drawing.error().message, testing::AnyOf(testing::HasSubstr("has no length"),
+                                                                testing::HasSubstr("has the radius 0")));
             continue;
         }
         ++count;

@@ -33,7 +33,7 @@ TEST(Nurbs, TheDirectionIsThatOfTheCurve) {
             curve.weights.push_back(value(random));
         }
         for (std::size_t i = 0; i < 8 + degree + 1; ++i) curve.knots.push_back(knot += value(random));
-        ASSERT_FALSE(curve_error(curve));
+        ASSERT_FALSE(find_curve_error(curve));
         for (std::size_t span = degree; span < 8; ++span) {
             const double middle = (curve.knots[span] + curve.knots[span + 1]) / 2;
             const Point step = curve_point(curve, span, middle + 1e-6).position -

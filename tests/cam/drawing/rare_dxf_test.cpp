@@ -41,7 +41,7 @@ TEST(RareDxf, UnitsAreTheirLengths) {
         ASSERT_EQ(drawing.drawn_contours.size(), 1U) << code;
         EXPECT_NEAR(bounding_box(drawing.drawn_contours[0]).high.x, mm, 1e-9) << code;
     }
-    EXPECT_THAT(dxf_fault(with_unit(20)), HasSubstr("the unit $INSUNITS 20 is none that parts are drawn in"));
+    EXPECT_THAT(dxf_fault(with_unit(20)), HasSubstr("the unit $INSUNITS 20 is not supported for parts"));
 }
 
 // A half disc of radius 2 below a block that is three times as wide as high.
@@ -80,23 +80,24 @@ Nurbs parabola() {
 std::string fault_with(const std::function<void(Nurbs&)>& spoil) {
     Nurbs curve = parabola();
     spoil(curve);
-    return curve_error(curve).value_or("");
+    return find_curve_error(curve).value_or("").message;
 }
 
 TEST(RareDxf, CurvesThatAreNoneSayWhy) {
-    EXPECT_EQ(curve_error(parabola()), std::nullopt);
-    EXPECT_THAT(fault_with([](Nurbs& curve) { curve.degree = 0; }), HasSubstr("has degree 0; 1 to "));
+    EXPECT_EQ(find_curve_error(parabola()), std::nullopt);
+    EXPECT_THAT(fault_with([](Nurbs& curve) { curve.degree = 0; }),
+                HasSubstr("has degree 0; supported are 1 to "));
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.points.pop_back(); }),
-              "has 2 control points; degree 2 needs 3 at least");
+              "has 2 control points; degree 2 requires at least 3");
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots.pop_back(); }),
-              "has 5 knots; 3 control points of degree 2 need 6");
-    EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots[5] = -1; }), "has knots that fall");
+              "has 5 knots; 3 control points of degree 2 require 6");
+    EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots[5] = -1; }), "has decreasing knots");
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots.assign(6, 1); }), "has knots without a range");
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.weights = {1}; }), "has 1 weights for 3 control points");
     EXPECT_EQ(fault_with([](Nurbs& curve) {
                   curve.weights = {1, 0, 1};
               }),
-              "has a weight that is not above 0");
+              "has a weight that is not greater than 0");
 }
 
 }  // namespace

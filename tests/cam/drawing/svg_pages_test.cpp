@@ -68,10 +68,10 @@ TEST(SvgPages, APageOfOneSideKeepsItsShape) {
 
 TEST(SvgPages, WhatIsWrongWithAPageNamesItsLine) {
     EXPECT_THAT(error("<svg viewBox='0 0 10'/>"),
-                HasSubstr("line 2: svg has viewBox=\"0 0 10\"; it takes four"));
+                HasSubstr("line 2: svg has viewBox=\"0 0 10\"; it must have four"));
     EXPECT_THAT(error("<svg viewBox='0 0 10 0'/>"), HasSubstr("line 2: svg has a viewBox without a size"));
     EXPECT_THAT(error("<svg id='a' x='wide'/>"),
-                HasSubstr("line 2: svg a has x=\"wide\", which is no length"));
+                HasSubstr("line 2: svg a has x=\"wide\", which is not a length"));
     EXPECT_THAT(svg_fault("<svg width='0' viewBox='0 0 1 1'/>"), HasSubstr("has a page without a size"));
     EXPECT_THAT(error("<symbol id='s'><use href='#s'/></symbol><use href='#s'/>"),
                 HasSubstr("nested deeper than 100 elements"));

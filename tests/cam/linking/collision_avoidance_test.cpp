@@ -8,7 +8,7 @@
 #include "collision/cell/cell_file.h"
 #include "collision/monitor/clearance_monitor.h"
 #include "machine/file/machine_file.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "toolpath/model/validate.h"
 
 namespace gsim::linking::clear_ways_test {
@@ -22,7 +22,7 @@ machine::Machine pin_machine(bool interpolated = true) {
     machine::Machine machine = machine::read_machine(machine::built_in_machine_toml(), "af5.toml").value();
     machine.shapes.clear();
     machine.ignored.clear();
-    machine.controller.interpolated_rapids = interpolated;
+    machine.controller.coordination.interpolated_rapids = interpolated;
     return machine;
 }
 
@@ -35,7 +35,7 @@ cell::Cell cell_of(const machine::Machine& machine, const std::string& objects) 
         "}\n" +
         objects;
     auto cell = cell::read_cell(text, "cell.toml", machine);
-    EXPECT_TRUE(cell) << (cell ? "" : cell.error());
+    EXPECT_TRUE(cell) << (cell ? "" : cell.error().message);
     return *std::move(cell);
 }
 
@@ -224,7 +224,7 @@ TEST_F(ClearWays, APlaceThatIsWalledInIsNotReached) {
     const LinkingResult linking = lead(program, walls);
     ASSERT_FALSE(linking.errors.empty());
     EXPECT_EQ(program.paths[linking.errors[0].where.path].name, "contour 2");
-    EXPECT_NE(linking.errors[0].message.find("no way was found"), std::string::npos);
+    EXPECT_NE(linking.errors[0].message.find("no collision-free path"), std::string::npos);
 }
 
 // The end of the last path leads up into a body, but no move needs to reach it.

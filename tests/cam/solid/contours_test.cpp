@@ -30,12 +30,12 @@ class Contours : public testing::Test {
 
     WallContours read(const ContourOptions& options) const {
         auto read = read_contours(file_, options);
-        EXPECT_TRUE(read) << read.error();
+        EXPECT_TRUE(read) << read.error().message;
         return read.value_or(WallContours{});
     }
     std::string rejection(const ContourOptions& options) const {
         const auto read = read_contours(file_, options);
-        return read ? "" : read.error();
+        return read ? "" : read.error().message;
     }
     // Returns the edge that runs round a hole, on the upper side.
     std::string edge_at(double x_mm) const {
@@ -82,25 +82,25 @@ TEST_F(Contours, AnEdgeThatChoosesNothingIsRefusedByItsNumber) {
     EXPECT_THAT(rejection({.edges = {""}}), HasSubstr("it has no edge with the number ''"));
     const std::string hole = edge_at(60);
     EXPECT_EQ(rejection({.kind = "outlines", .edges = {hole}}),
-              file_.string() + ": edge " + hole + " is of no contour that is chosen");
+              file_.string() + ": edge " + hole + " does not belong to a selected contour");
     EXPECT_THAT(rejection({.edges = {hole}, .side = "-z"}),
-                HasSubstr("edge " + hole + " is of no contour that is chosen"));
+                HasSubstr("edge " + hole + " does not belong to a selected contour"));
     const std::string below = read({.side = "-z"}).contours.front().edges.front().label;
-    EXPECT_THAT(
-        rejection({.edges = {hole, below}}),
-        HasSubstr("edge " + below +
-                  " is of no contour that is chosen: it is of one that looks to another side than z"));
+    EXPECT_THAT(rejection({.edges = {hole, below}}),
+                HasSubstr("edge " + below +
+                          " does not belong to a selected contour: it belongs to one that does not face z"));
 }
 
 TEST_F(Contours, AnEdgeOfWhatIsNoContourSaysWhy) {
     // The blind hole's contour is reported if all are cut, with no number of an edge.
     const WallContours all = read({.kind = "holes"});
     ASSERT_EQ(all.notes.size(), 2U);
-    EXPECT_THAT(all.notes.front(), HasSubstr("does not go through: below edge #"));
+    EXPECT_THAT(all.notes.front(), HasSubstr("is not a through cut: below edge #"));
     const std::size_t begin = all.notes.front().find("edge #") + 5;
     const std::string blind = all.notes.front().substr(begin, all.notes.front().find(' ', begin) - begin);
-    EXPECT_THAT(rejection({.kind = "holes", .edges = {blind}}),
-                HasSubstr("edge " + blind + " is of no contour that is chosen: a hole of the plane face #"));
+    EXPECT_THAT(
+        rejection({.kind = "holes", .edges = {blind}}),
+        HasSubstr("edge " + blind + " does not belong to a selected contour: a hole of the plane face #"));
 }
 
 TEST_F(Contours, EdgesMakeChainsWithMaterialToTheirLeft) {
@@ -166,14 +166,14 @@ TEST_F(Contours, EdgesOfAnIgesFileHaveNoNumbers) {
     const auto file =
         folder_.iges("plate.iges", without(box({0, 0, -10}, {80, 50, 0}), {cylinder({20, 25, -11}, 8, 12)}));
     const auto all = read_contours(file, {.kind = "all"});
-    ASSERT_TRUE(all) << all.error();
+    ASSERT_TRUE(all) << all.error().message;
     ASSERT_EQ(all->contours.size(), 2U);
     for (const WallContour& contour : all->contours) {
         for (const WallEdge& edge : contour.edges) EXPECT_EQ(edge.label, "");
     }
     const auto requested = read_contours(file, {.kind = "all", .edges = {"57"}});
     ASSERT_FALSE(requested);
-    EXPECT_THAT(requested.error(), HasSubstr("it has no edge with the number '57'"));
+    EXPECT_THAT(requested.error().message, HasSubstr("it has no edge with the number '57'"));
 }
 
 TEST_F(Contours, InAnAssemblyShapesGoByTheNumbersOfTheirPart) {
@@ -186,7 +186,7 @@ TEST_F(Contours, InAnAssemblyShapesGoByTheNumbersOfTheirPart) {
     Interface_Static::SetIVal("write.step.assembly", before);
     ASSERT_THAT(read_file(file), HasSubstr("NEXT_ASSEMBLY_USAGE_OCCURRENCE"));
     const auto both = read_contours(file, {.kind = "holes"});
-    ASSERT_TRUE(both) << both.error();
+    ASSERT_TRUE(both) << both.error().message;
     ASSERT_EQ(both->contours.size(), 2U);
     const std::string edge = both->contours[0].edges.front().label;
     EXPECT_NE(edge, "");
@@ -194,7 +194,7 @@ TEST_F(Contours, InAnAssemblyShapesGoByTheNumbersOfTheirPart) {
     // The box distinguishes them.
     const auto one = read_contours(
         file, {.kind = "holes", .edges = {edge}, .box_mm = std::array<double, 6>{100, 0, -10, 300, 50, 0}});
-    ASSERT_TRUE(one) << one.error();
+    ASSERT_TRUE(one) << one.error().message;
     ASSERT_EQ(one->contours.size(), 1U);
     EXPECT_GT(one->contours.front().edges.front().points.front().position_mm[0], 200);
 }

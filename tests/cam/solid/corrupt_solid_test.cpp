@@ -35,9 +35,9 @@ std::string mangled(std::string text, std::mt19937& random) {
     return text;
 }
 
-void expect_sound(const tl::expected<Mesh, std::string>& mesh, const std::string& name) {
+void expect_sound(const Result<Mesh>& mesh, const std::string& name) {
     if (!mesh) {
-        EXPECT_THAT(mesh.error(), HasSubstr(name));
+        EXPECT_THAT(mesh.error().message, HasSubstr(name));
         return;
     }
     for (const auto& vertex : mesh->vertices_mm) {
@@ -45,9 +45,9 @@ void expect_sound(const tl::expected<Mesh, std::string>& mesh, const std::string
     }
 }
 
-void expect_sound(const tl::expected<Plate, std::string>& plate, const std::string& name) {
+void expect_sound(const Result<Plate>& plate, const std::string& name) {
     if (!plate) {
-        EXPECT_THAT(plate.error(), HasSubstr(name));
+        EXPECT_THAT(plate.error().message, HasSubstr(name));
         return;
     }
     for (const geometry::Contour& drawn_contour : plate->drawing.drawn_contours) {
@@ -55,9 +55,9 @@ void expect_sound(const tl::expected<Plate, std::string>& plate, const std::stri
     }
 }
 
-void expect_sound(const tl::expected<WallContours, std::string>& part, const std::string& name) {
+void expect_sound(const Result<WallContours>& part, const std::string& name) {
     if (!part) {
-        EXPECT_THAT(part.error(), HasSubstr(name));
+        EXPECT_THAT(part.error().message, HasSubstr(name));
         return;
     }
     for (const WallContour& contour : part->contours) {

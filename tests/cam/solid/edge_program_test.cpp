@@ -69,7 +69,7 @@ TEST_F(EdgeProgram, AnEdgeChoosesItsContour) {
     EXPECT_TRUE(contains(one.err, "1 contours, 1 pierces")) << one.err;
     const Ended none = autopath(bracket, {"--contours", "holes", "--edge", "7"});
     EXPECT_TRUE(contains(none.err, "bracket.step: it has no edge with the number '7'")) << none.err;
-    EXPECT_TRUE(contains(autopath(bracket, {"--edge", edge}).err, "--edge needs --contours"));
+    EXPECT_TRUE(contains(autopath(bracket, {"--edge", edge}).err, "--edge requires --contours"));
 }
 
 TEST_F(EdgeProgram, ThreeSidesOfAPlateAreCutAndTheFourthIsNot) {
@@ -77,7 +77,7 @@ TEST_F(EdgeProgram, ThreeSidesOfAPlateAreCutAndTheFourthIsNot) {
     const auto jet_path =
         jets(plate, {600, 600, 120}, cut(edges(plate, {{0, 0, 0}, {80, 0, 0}, {80, 50, 0}, {0, 50, 0}})));
     EXPECT_TRUE(contains(told_, "1 contours, 1 pierces, ")) << told_;
-    EXPECT_FALSE(contains(told_, "no room for leads")) << told_;
+    EXPECT_FALSE(contains(told_, "no room for lead-ins")) << told_;
     for (const double depth : {0.0, 5.0, 10.0})
         expect_cut(fmt::format("three sides at {} mm", depth),
                    on_stretches({{0, 0, 0}, {80, 0, 0}, {80, 50, 0}, {0, 50, 0}}, depth), jet_path);
@@ -179,7 +179,7 @@ TEST_F(EdgeProgram, WithoutRoomBeyondItsEndsAChainHasNoLeads) {
                                                    {B::kSlotX_mm + B::kSlotRadius_mm, high, z},
                                                    {B::kSlotX_mm - B::kSlotRadius_mm, high, z},
                                                    {B::kSlotX_mm - B::kSlotRadius_mm, low, z}})));
-    EXPECT_TRUE(contains(told_, "1 contours have no room for leads")) << told_;
+    EXPECT_TRUE(contains(told_, "1 contours have no room for lead-ins")) << told_;
     expect_cut("half of the slot", along([&](double share) {
                    const double turn = share * kTurn_rad / 2;
                    return Vector3d(B::kSlotX_mm + B::kSlotRadius_mm * std::cos(turn),
@@ -200,25 +200,26 @@ TEST_F(EdgeProgram, WhatIsNoEdgeToCutIsRefusedWithItsPlace) {
         return ended.err;
     };
     EXPECT_TRUE(contains(autopath(plate, {"--contours", "edges"}).err,
-                         "--contours edges needs the numbers of edges (--edge)"));
+                         "--contours edges requires the numbers of edges (--edge)"));
     const std::string upright = rejection(plate, {{0, 0, 0}, {0, 0, -10}});
-    EXPECT_TRUE(contains(upright,
-                         " at (0, 0, -5) cannot be entered from z: no face beside it looks there: the "
-                         "plane face #"))
+    EXPECT_TRUE(contains(
+        upright,
+        " at (0, 0, -5) cannot be entered from z: no adjacent face faces this side: the plane face #"))
         << upright;
     const std::string below = rejection(plate, {{0, 0, -10}, {80, 0, -10}});
-    EXPECT_TRUE(contains(below, " at (40, 0, -10) cannot be entered from z: no face beside it looks there"))
+    EXPECT_TRUE(
+        contains(below, " at (40, 0, -10) cannot be entered from z: no adjacent face faces this side"))
         << below;
     const std::string unboxed = rejection(plate, {{0, 0, 0}, {80, 0, 0}}, {"--box-high", "70", "50", "0"});
-    EXPECT_TRUE(contains(unboxed, " at (40, 0, 0) does not lie in the box")) << unboxed;
+    EXPECT_TRUE(contains(unboxed, " at (40, 0, 0) is not in the box")) << unboxed;
     using B = Bracket;
     const std::string smooth = rejection(sample("parts/bracket.step"),
                                          {{0, 0, B::kThickness_mm}, {0, B::kWidth_mm, B::kThickness_mm}});
-    EXPECT_TRUE(contains(smooth, "it goes over smoothly into the ")) << smooth;
+    EXPECT_TRUE(contains(smooth, "it continues smoothly into the ")) << smooth;
     const std::string step_part = step("step.step", solid::without(solid::box({0, 0, -10}, {80, 50, 0}),
                                                                    {solid::box({40, -1, -4}, {81, 51, 1})}));
     const std::string foot = rejection(step_part, {{40, 0, -4}, {40, 50, -4}});
-    EXPECT_TRUE(contains(foot, "it is the foot of the plane face #")) << foot;
+    EXPECT_TRUE(contains(foot, "it is at the foot of the plane face #")) << foot;
 }
 
 TEST_F(EdgeProgram, AChainThatEndsInACornerThatClosesIsRefused) {
@@ -226,7 +227,7 @@ TEST_F(EdgeProgram, AChainThatEndsInACornerThatClosesIsRefused) {
                                                                 {solid::box({30, 30, -7}, {61, 61, 1})}));
     const Ended into = autopath(angle, edges(angle, {{60, 30, 0}, {30, 30, 0}}));
     EXPECT_EQ(into.status, 1);
-    EXPECT_TRUE(contains(into.err, "cannot be cut: at (30, 30, 0) the jet would go 0.4 mm into edge #"))
+    EXPECT_TRUE(contains(into.err, "cannot be cut: at (30, 30, 0) the jet would cut 0.4 mm into edge #"))
         << into.err;
 }
 
@@ -246,7 +247,7 @@ TEST_F(EdgeProgram, BranchesAreRefused) {
     for (const solid::Position& next : {at(0, 30, 30), at(30, 0, 30), at(30, 30, 0)})
         options.insert(options.end(), {"--edge", edge_between(part, at(30, 30, 30), next)});
     const Ended ended = autopath(part, options);
-    EXPECT_TRUE(contains(ended.err, "a chain of edges has no branches: at (")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "a chain of edges must not branch: at (")) << ended.err;
 }
 
 }  // namespace

@@ -22,13 +22,13 @@ constexpr double kPi = std::numbers::pi;
 
 Plate plate_of(const std::filesystem::path& file, const PlateOptions& options = {}) {
     auto plate = read_plate(file, options);
-    EXPECT_TRUE(plate) << plate.error();
+    EXPECT_TRUE(plate) << plate.error().message;
     return plate ? *std::move(plate) : Plate{};
 }
 
 std::string error_of(const std::filesystem::path& file) {
     const auto plate = read_plate(file, {});
-    return plate ? "" : plate.error();
+    return plate ? "" : plate.error().message;
 }
 
 // Areas of the closed contours, the largest first.
@@ -49,7 +49,7 @@ std::vector<double> areas_mm2(const Plate& plate) {
 // Returns the areas of the paths.
 std::vector<double> offset_areas_mm2(const Plate& plate, double kerf_mm) {
     const auto layout = cutting::make_layout(plate.drawing, {kerf_mm, 0.02});
-    EXPECT_TRUE(layout) << layout.error();
+    EXPECT_TRUE(layout) << layout.error().message;
     std::vector<Contour> contours;
     if (!layout) return {};
     for (const cutting::Loop& loop : layout->loops) contours.push_back(loop.contour);
@@ -212,7 +212,7 @@ TEST(Plate, SeveralBodiesAreSeveralParts) {
         return together({cylinder({0, 0, 0}, 10, 5), box({20, 0, z}, {40, 30, 5 + z})});
     };
     expect_near(areas_mm2(plate_of(folder.step("a.step", two(0)))), {600, kPi * 100});
-    EXPECT_THAT(error_of(folder.step("b.step", two(1))), HasSubstr("lies 1 mm below the upper side"));
+    EXPECT_THAT(error_of(folder.step("b.step", two(1))), HasSubstr(" is 1 mm below the upper side"));
 }
 
 TEST(Plate, CurvesAndFacesOfAPlaneDo) {
@@ -231,13 +231,14 @@ TEST(Plate, CurvesAndFacesOfAPlaneDo) {
     const auto curves = together({edges_of(largest_face(box({0, 0, 0}, {10, 10, 2}))),
                                   edges_of(largest_face(box({20, 0, 3}, {30, 10, 5})))});
     EXPECT_THAT(error_of(folder.iges("b.igs", curves)),
-                HasSubstr("the curves do not lie in one plane: curve "));
+                HasSubstr("the curves are not in one plane: curve D"));
 }
 
 TEST(Plate, WhatIsNoPlateIsNamedWithItsPlace) {
     const SolidFolder folder;
     const auto rejected = [&](const TopoDS_Shape& shape) { return error_of(folder.step("a.step", shape)); };
-    EXPECT_THAT(rejected(sphere({1, 2, 3}, 10)), HasSubstr("has no plane face; only flat plates are cut"));
+    EXPECT_THAT(rejected(sphere({1, 2, 3}, 10)),
+                HasSubstr("has no planar face; only flat plates can be cut"));
     EXPECT_THAT(rejected(cone({0, 0, 0}, 20, 0, 5)),
                 AllOf(HasSubstr("the conical face #"), HasSubstr("belongs to a body without a lower side")));
     const TopoDS_Shape block = box({0, 0, 0}, {50, 40, 10});
@@ -253,11 +254,10 @@ TEST(Plate, WhatIsNoPlateIsNamedWithItsPlace) {
     EXPECT_THAT(rejected(without(block, {cylinder({50, 40, 10}, 4, 10), box({-1, -1, 8}, {51, 3, 11})})),
                 HasSubstr("face #"));
     EXPECT_THAT(rejected(frustum({0, 0, 0}, 60, 40, 20, 38, 10)),
-                HasSubstr("leans by 63.4 deg; a jet can lean by 60"));
+                HasSubstr("is tilted by 63.4 deg; a jet can be tilted by up to 60 deg"));
     EXPECT_THAT(rejected(without(cylinder({0, 0, -20}, 20, 20), {sphere({0, 0, -30}, 18)})),
                 HasSubstr("spherical face #"));
-    EXPECT_THAT(rejected(box({0, 0, 0}, {6e5, 40, 10})),
-                HasSubstr("nothing can be cut further off than 500000 mm"));
+    EXPECT_THAT(rejected(box({0, 0, 0}, {6e5, 40, 10})), HasSubstr("coordinates must not exceed 500000 mm"));
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ TEST_F(SolidProgram, APartGivesItsThickness) {
     EXPECT_TRUE(contains(read("ring.path.json"), "waterjet_on"));
     const Ended other = autopath({file, "--material", "aluminum", "--thickness", "10", "-o", "b.path.json"});
     const Ended upright = autopath({file, "--material", "aluminum", "--up", "-x", "-o", "c.path.json"});
-    EXPECT_TRUE(contains(upright.err, "no plane face that looks along -x")) << upright.err;
-    EXPECT_TRUE(contains(other.err, "the solid is 8 mm thick; --thickness says 10 mm")) << other.err;
+    EXPECT_TRUE(contains(upright.err, "no planar face that faces -x")) << upright.err;
+    EXPECT_TRUE(contains(other.err, "the solid is 8 mm thick, but --thickness is 10 mm")) << other.err;
 }
 
 TEST_F(SolidProgram, WhatCannotBeCutLeavesNoFile) {
@@ -54,10 +54,10 @@ TEST_F(SolidProgram, WhatCannotBeCutLeavesNoFile) {
     EXPECT_TRUE(contains(slit, "narrower than the kerf")) << slit;
     EXPECT_TRUE(contains(slit, "line of plane face #")) << slit;
     EXPECT_TRUE(contains(rejected({step("ring.step", ring()), "--unit", "inch"}),
-                         "--unit and --layer are for drawings"));
+                         "--unit and --layer apply to drawings"));
     EXPECT_TRUE(contains(rejected({write("a.svg", "<svg/>"), "--flip"}),
-                         "--up and --flip are for STEP and IGES files"));
-    EXPECT_TRUE(contains(rejected({write("a.step", "ISO-10303-21;\n")}), "a.step: the file is cut off"));
+                         "--up and --flip apply to STEP and IGES files"));
+    EXPECT_TRUE(contains(rejected({write("a.step", "ISO-10303-21;\n")}), "a.step: the file is truncated"));
 }
 
 TEST_F(SolidProgram, ACellHoldsAStepFile) {

@@ -60,8 +60,8 @@ Points together(const std::vector<Points>& edges) {
 }
 
 // Returns true if a jet along the wall can pass a position of an edge without cutting into another position.
-bool has_room(const WheelStep& step, std::size_t n, const Points& edge, const Points& all, double kerf_mm,
-              double near_mm) {
+bool is_long_enough(const WheelStep& step, std::size_t n, const Points& edge, const Points& all,
+                    double kerf_mm, double near_mm) {
     const auto values = step.axis(static_cast<double>(n) / kStepsOfEdge);
     const Vector3d axis(values[0], values[1], values[2]);
     const Vector3d along = edge[std::min(n + 1, edge.size() - 1)] - edge[n == 0 ? 0 : n - 1];
@@ -152,12 +152,12 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
     const auto pockets = wheel_pockets(sample("wheel.path.json"));
     const auto& at = kWheelMiddle_mm;
     const auto jet_path = jets(sample("parts/wheel.step"), {at[0], at[1], at[2]},
-                               {"--contours", "all", "--cut-height", "0", "--max-lean", "72", "--speed",
+                               {"--contours", "all", "--cut-height", "0", "--max-tilt", "72", "--speed",
                                 "6350", "--cell", sample("cell/wheel.toml")},
                                sample("cell/wheel.toml"), "af5");
     EXPECT_TRUE(contains(told_, "6 contours, 6 pierces")) << told_;
     // The machine's home is below the table, with clamps between.
-    EXPECT_TRUE(contains(told_, "1 of 7 ways lead round something")) << told_;
+    EXPECT_TRUE(contains(told_, "1 of 7 linking moves were rerouted")) << told_;
     // The control that was measured rounds the corners of B and C; its time is of interest.
     const Ended measured =
         gsim_run({"part.nc", "--machine", "af5-measured", "--cell", sample("cell/wheel.toml")});
@@ -186,7 +186,7 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
                 EXPECT_GE(off.min_mm, -kNear_mm) << what;
                 Points open;
                 for (std::size_t n = 0; n < edges[k].size(); ++n) {
-                    if (has_room(pockets[i][k], n, edges[k], all, kKerf_mm, kNear_mm))
+                    if (is_long_enough(pockets[i][k], n, edges[k], all, kKerf_mm, kNear_mm))
                         open.push_back(edges[k][n]);
                 }
                 unreachable_count += static_cast<int>(edges[k].size() - open.size());
@@ -205,11 +205,11 @@ TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
     const Ended tilt = autopath(sample("parts/wheel.step"), {"--contours", "all"});
     EXPECT_EQ(tilt.status, 1);
     EXPECT_TRUE(contains(tilt.err, "edge #")) << tilt.err;
-    EXPECT_TRUE(contains(tilt.err, "deg from the face's normal, more than 60 deg (--max-lean)")) << tilt.err;
+    EXPECT_TRUE(contains(tilt.err, "deg from the face normal, more than 60 deg (--max-tilt)")) << tilt.err;
     const Ended wide = autopath(bracket, {"--contours", "holes", "--box-low", "-45", "0", "0"}, "19");
     EXPECT_TRUE(contains(wide.err, "cannot be cut")) << wide.err;
     const Ended standalone = autopath(bracket, {"--side", "y"});
-    EXPECT_TRUE(contains(standalone.err, "--side needs --contours")) << standalone.err;
+    EXPECT_TRUE(contains(standalone.err, "--side requires --contours")) << standalone.err;
     const Ended nameless = autopath(bracket, {"--contours", "holes", "--face", "sheet"});
     EXPECT_TRUE(contains(nameless.err, "it has no face with the number, name, layer or colour 'sheet'"))
         << nameless.err;
@@ -238,11 +238,11 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     std::filesystem::remove(folder_ / "part.path.json");
     const Ended none = autopath("return function(contour) return contour.length_mm < 1 end");
     EXPECT_EQ(none.status, 1);
-    EXPECT_TRUE(contains(none.err, "choose.lua:1: the script chooses none of the 4 contours")) << none.err;
+    EXPECT_TRUE(contains(none.err, "choose.lua:1: the script selects 0 of the 4 contours")) << none.err;
     EXPECT_FALSE(exists("part.path.json"));
     const Ended lonely = run_program(tests::program_path("autopath"),
                                      {sample("plate.svg"), "--choose", "choose.lua"}, folder_);
-    EXPECT_TRUE(contains(lonely.err, "--choose needs --contours")) << lonely.err;
+    EXPECT_TRUE(contains(lonely.err, "--choose requires --contours")) << lonely.err;
 }
 
 TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {

@@ -12,8 +12,9 @@ namespace {
 TEST(WithoutReader, SaysHowToGetOne) {
     const auto mesh = read_mesh("part.step", 0.05);
     ASSERT_FALSE(mesh);
-    EXPECT_THAT(mesh.error(), testing::HasSubstr("'part.step': this build does not read STEP and IGES files; "
-                                                 "install OpenCASCADE (scripts/setup.sh step)"));
+    EXPECT_THAT(mesh.error().message,
+                testing::HasSubstr("'part.step': this build does not read STEP and IGES files; "
+                                   "install OpenCASCADE (scripts/setup.sh step)"));
 }
 
 }  // namespace

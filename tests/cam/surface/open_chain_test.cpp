@@ -41,9 +41,9 @@ WallContour chain_through(const std::vector<Vector>& corners) {
     return chain;
 }
 
-tl::expected<cutting::Autopath, std::string> make_autopath(const std::vector<Vector>& corners,
-                                                           std::vector<solid::PartEdge> others = {},
-                                                           const SurfaceOptions& options = {}) {
+Result<cutting::Autopath> make_autopath(const std::vector<Vector>& corners,
+                                        std::vector<solid::PartEdge> others = {},
+                                        const SurfaceOptions& options = {}) {
     WallContours part;
     part.contours = {chain_through(corners)};
     part.other_edges = std::move(others);
@@ -80,7 +80,7 @@ std::vector<double> xs_with_jet(const cutting::Autopath& path) {
 
 TEST(OpenChain, GoesFromEndToEndAndStraightOnBeyondThem) {
     const auto path = make_autopath({{0, 0, 0}, {10, 0, 0}, {30, 0, 0}});
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->summary.outlines, 1U);
     EXPECT_EQ(path->summary.pierces, 1U);
     EXPECT_EQ(path->summary.without_leads, 0U);
@@ -90,7 +90,7 @@ TEST(OpenChain, GoesFromEndToEndAndStraightOnBeyondThem) {
 
 TEST(OpenChain, ACornerThatOpensIsTurnedAboutAndTheEndsAreNoCorner) {
     const auto path = make_autopath({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}});
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     EXPECT_NEAR(path->summary.cut_mm, 40 + 2 * kLead_mm + kKerf_mm / 2 * std::acos(0), 0.01);
 }
 
@@ -98,10 +98,10 @@ TEST(OpenChain, AnEdgeAheadTakesTheLeadOfThatEndAlone) {
     // A wall across the path, 1 mm beyond the end; the jet itself is half its width away from it.
     const std::vector<solid::PartEdge> wall{{"edge #9", {{31, -20, 0}, {31, 20, 0}}}};
     const auto path = make_autopath({{0, 0, 0}, {30, 0, 0}}, wall);
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->summary.without_leads, 1U);
     EXPECT_EQ(xs_with_jet(*path), (std::vector<double>{-kLead_mm, 0, 30}));
-    EXPECT_THAT(path->notes, testing::Contains(HasSubstr("1 contours have no room for leads")));
+    EXPECT_THAT(path->notes, testing::Contains(HasSubstr("1 contours have no room for lead-ins")));
     // An edge next to the path, half of the kerf off the jet, is no obstacle.
     const auto adjacent = make_autopath({{0, 0, 0}, {30, 0, 0}}, {{"edge #9", {{31, 0, 0}, {50, 0, 0}}}});
     EXPECT_EQ(adjacent->summary.without_leads, 0U);
@@ -110,22 +110,23 @@ TEST(OpenChain, AnEdgeAheadTakesTheLeadOfThatEndAlone) {
 TEST(OpenChain, AJetIntoAnotherEdgeOfThePartIsRefused) {
     const auto path = make_autopath({{0, 0, 0}, {30, 0, 0}}, {{"edge #9", {{30, -20, 0}, {30, 0, 0}}}});
     ASSERT_FALSE(path);
-    EXPECT_THAT(path.error(),
-                HasSubstr("edge #1 cannot be cut: at (30, 0, 0) the jet would go 0.5 mm into edge #9"));
+    EXPECT_THAT(path.error().message,
+                HasSubstr("edge #1 cannot be cut: at (30, 0, 0) the jet would cut 0.5 mm into edge #9"));
 }
 
 TEST(OpenChain, BridgesAreNotAtItsEnds) {
     SurfaceOptions options;
     options.bridges = {2, 2};
     const auto path = make_autopath({{0, 0, 0}, {40, 0, 0}}, {}, options);
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->summary.pierces, 3U);
     // Each is 2 mm wide, and the jet besides.
     EXPECT_NEAR(path->summary.cut_mm, 40 - 2 * 3 + 2 * kLead_mm, 1e-9);
     options.bridges = {7, 2};
     const auto narrow = make_autopath({{0, 0, 0}, {40, 0, 0}}, {}, options);
     ASSERT_FALSE(narrow);
-    EXPECT_EQ(narrow.error(), "a chain of edges of the plane face #1 has no room for 7 bridges of 2 mm");
+    EXPECT_EQ(narrow.error().message,
+              "a chain of edges of the plane face #1 has no room for 7 bridges of 2 mm");
 }
 
 }  // namespace

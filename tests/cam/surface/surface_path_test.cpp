@@ -74,9 +74,8 @@ cutting::CutRules some_rules() {
     return rules;
 }
 
-tl::expected<cutting::Autopath, std::string> make_autopath(const WallContour& contour,
-                                                           SurfaceOptions options = {},
-                                                           const cutting::CutRules& rules = some_rules()) {
+Result<cutting::Autopath> make_autopath(const WallContour& contour, SurfaceOptions options = {},
+                                        const cutting::CutRules& rules = some_rules()) {
     WallContours part;
     part.contours = {contour};
     return surface_path(part, rules, options);
@@ -84,7 +83,7 @@ tl::expected<cutting::Autopath, std::string> make_autopath(const WallContour& co
 
 std::string rejection(const WallContour& contour, const SurfaceOptions& options = {}) {
     const auto path = make_autopath(contour, options);
-    return path ? "" : path.error();
+    return path ? "" : path.error().message;
 }
 
 std::vector<path::Point> path_points(const cutting::Autopath& path) {
@@ -96,7 +95,7 @@ std::vector<path::Point> path_points(const cutting::Autopath& path) {
 
 TEST(SurfacePath, ARoundHoleIsArcsHalfAKerfInside) {
     const auto path = make_autopath(round_hole(5));
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->summary.pierces, 1U);
     EXPECT_EQ(path->summary.without_leads, 0U);
     int on_hole = 0;
@@ -114,7 +113,7 @@ TEST(SurfacePath, TheTipOfALeaningJetIsBesideTheEdgeByItsHeight) {
     SurfaceOptions options;
     options.cut_height_mm = 2;
     const auto path = make_autopath(round_hole(20, tilt), options);
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     // The distance from the edge is the height's share, plus half of the kerf across the level face.
     const double lateral = 2 * std::tan(tilt) + kKerf_mm / 2 / std::cos(tilt);
     for (const path::Point& point : path_points(*path)) {
@@ -130,8 +129,8 @@ TEST(SurfacePath, CornersThatCloseAreTrimmedAndThoseThatOpenAreTurnedAbout) {
     const std::vector<Vector> square{{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
     const auto outside = make_autopath(polygon(square, false));
     const auto inside = make_autopath(polygon({square.rbegin(), square.rend()}, true));
-    ASSERT_TRUE(outside) << outside.error();
-    ASSERT_TRUE(inside) << inside.error();
+    ASSERT_TRUE(outside) << outside.error().message;
+    ASSERT_TRUE(inside) << inside.error().message;
     double max = 0;
     for (const path::Point& point : path_points(*inside))
         max = std::max({max, std::abs(point.position_mm[0]), std::abs(point.position_mm[1])});
@@ -154,7 +153,7 @@ TEST(SurfacePath, TheFeedIsLessBeforeAndBehindCornersThatClose) {
     rules.corner_zone_mm = 2;
     const std::vector<Vector> square{{-10, 10, 0}, {10, 10, 0}, {10, -10, 0}, {-10, -10, 0}};
     const auto path = make_autopath(polygon(square, true), {}, rules);
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     const std::vector<path::Point> points = path_points(*path);
     double slow_mm = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -195,7 +194,7 @@ TEST(SurfacePath, TheFaceNormalMayBeLeanedOverTheWaste) {
     options.jet.along_walls = false;
     options.jet.tilt_deg = 30;
     const auto path = make_autopath(round_hole(20), options);
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     for (const path::Point& point : path_points(*path)) {
         if (!point.orientation) continue;
         const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
@@ -225,13 +224,11 @@ TEST(SurfacePath, BridgesStayWhereTheJetIsOff) {
 
 TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
     EXPECT_EQ(rejection(round_hole(0.3)),
-              "edge #7 cannot be cut: at (0.299954, -0.00523572, 0) its radius is smaller than half of the "
+              "edge #7 cannot be cut: at (0.299954, -0.00523572, 0) its radius is smaller than half the "
               "kerf, 0.4 mm");
-    EXPECT_EQ(
-        rejection(round_hole(20, 1.2)),
-        "edge #7 cannot be cut: at (20, 0, 0) the jet would lean 68.75 deg from the face's normal, more "
-        "than 60 "
-        "deg (--max-lean)");
+    EXPECT_EQ(rejection(round_hole(20, 1.2)),
+              "edge #7 cannot be cut: at (20, 0, 0) the jet would be tilted 68.75 deg from the face normal, "
+              "more than 60 deg (--max-tilt)");
     // A slit of 0.6 mm: the paths along both sides do not even cross.
     const std::vector<Vector> slit{{0, 0, 0}, {0, 0.6, 0}, {20, 0.6, 0}, {20, 0, 0}};
     EXPECT_THAT(rejection(polygon(slit, true)),
@@ -240,17 +237,18 @@ TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
     const std::vector<Vector> waist{{0, 0, 0},    {0, 6, 0},    {8, 6, 0},   {9, 3.3, 0},
                                     {11, 3.3, 0}, {12, 6, 0},   {20, 6, 0},  {20, 0, 0},
                                     {12, 0, 0},   {11, 2.7, 0}, {9, 2.7, 0}, {8, 0, 0}};
-    EXPECT_THAT(rejection(polygon(waist, true)), HasSubstr("the jet would go"));
+    EXPECT_THAT(rejection(polygon(waist, true)), HasSubstr("the jet would cut"));
 }
 
 TEST(SurfacePath, WhatTheJetMeetsBehindAWallIsTold) {
     WallContour hole = round_hole(5);
     hole.edges.front().next_surface_mm = 42;
     const auto path = make_autopath(hole);
-    ASSERT_TRUE(path) << path.error();
+    ASSERT_TRUE(path) << path.error().message;
     EXPECT_THAT(
         path->notes,
-        testing::Contains("behind edge #7 of the plane face #1 the jet meets the part again, 42 mm on"));
+        testing::Contains(
+            "after edge #7 of the plane face #1 the jet hits the part again, at a distance of 42 mm"));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ solid::WallEdge wall(const std::string& name, const Curve& upper, const Curve& l
 JetPath way_of(const std::vector<solid::WallEdge>& edges) {
     const solid::WallContour contour{"the plane face #1", true, edges};
     auto path = jet_path(contour, kJet, {});
-    EXPECT_TRUE(path) << path.error();
+    EXPECT_TRUE(path) << path.error().message;
     return path ? *path : JetPath{};
 }
 

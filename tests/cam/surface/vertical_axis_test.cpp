@@ -1,8 +1,7 @@
-#include "cam/surface/vertical_axis.h"
-
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "cam/surface/vertical_points.h"
 
 namespace gsim::surface::upright_test {
 

@@ -24,7 +24,7 @@ CuttingRequest make_request(std::string material, double thickness_mm) {
 
 std::string error_of(const CuttingRequest& request) {
     const auto plan = plan_cutting(sample_materials(), request);
-    return plan ? "" : plan.error();
+    return plan ? "" : plan.error().message;
 }
 
 const ResolvedValue& settled_value(const CuttingPlan& plan, std::string_view name) {
@@ -37,7 +37,7 @@ const ResolvedValue& settled_value(const CuttingPlan& plan, std::string_view nam
 TEST(CuttingPlan, SaysWhereEachValueIsFrom) {
     const CuttingPlan plan = plan_cutting(sample_materials(), make_request("aluminum", 12)).value();
     const JetRule& rule = sample_materials().jet;
-    EXPECT_EQ(settled_value(plan, "thickness").origin, Origin::record_input);
+    EXPECT_EQ(settled_value(plan, "thickness").origin, Origin::from_request);
     EXPECT_EQ(settled_value(plan, "pressure").origin, Origin::from_file);
     EXPECT_EQ(settled_value(plan, "machinability").origin, Origin::from_file);
     EXPECT_THAT(settled_value(plan, "machinability").basis, HasSubstr("Zeng"));
@@ -69,7 +69,7 @@ TEST(CuttingPlan, WhatIsGivenWins) {
     EXPECT_EQ(plan.pierce_s, 7);
     for (const std::string_view name :
          {"quality", "pressure", "orifice", "mixing tube", "abrasive", "cutting speed", "kerf", "pierce"})
-        EXPECT_EQ(settled_value(plan, name).origin, Origin::record_input) << name;
+        EXPECT_EQ(settled_value(plan, name).origin, Origin::from_request) << name;
 }
 
 TEST(CuttingPlan, MachinabilityOfAnotherMaterial) {
@@ -138,7 +138,7 @@ TEST(CuttingPlan, WarnsOfASpeedThatDoesNotComeThrough) {
     request.speed_mm_min = 5000;
     const CuttingPlan plan = plan_cutting(sample_materials(), request).value();
     ASSERT_EQ(plan.warnings.size(), 1U);
-    EXPECT_THAT(plan.warnings[0], HasSubstr("does not come through"));
+    EXPECT_THAT(plan.warnings[0], HasSubstr("at 5000.0 mm/min the jet does not cut through"));
     EXPECT_GE(plan.exit_kerf_mm, 0);
 }
 
@@ -148,7 +148,7 @@ TEST(CuttingPlan, WarnsOfUnusualJets) {
     request.orifice_mm = 1.5;
     const auto warnings = plan_cutting(sample_materials(), request).value().warnings;
     ASSERT_EQ(warnings.size(), 2U);
-    EXPECT_EQ(warnings[0], "pressure_mpa is 600, outside of the usual 170 to 415");
+    EXPECT_EQ(warnings[0], "pressure_mpa is 600, outside the usual range of 170 to 415");
 }
 
 TEST(CuttingPlan, Errors) {

@@ -48,7 +48,7 @@ TEST(JetLag, SpeedAndLagAreInverse) {
     const LagRule& rule = sample_materials().lag;
     std::mt19937 random(3);
     for (int i = 0; i < 1000; ++i) {
-        const LagState cut{uniform(random, 1, 100), uniform(random, 10, 5000)};
+        const StraightCut cut{uniform(random, 1, 100), uniform(random, 10, 5000)};
         const double speed = uniform(random, 1, 5000);
         EXPECT_NEAR(speed_for_lag_mm_min(rule, cut, lag_mm(rule, cut, speed)), speed, 1e-9 * speed);
     }
@@ -89,7 +89,7 @@ TEST(FeedForRadius, GrowsWithTheRadiusUpToTheCuttingSpeed) {
 // Wherever the feed is not at one of its ends, the lag shows by the allowed error, no more and no less.
 TEST(FeedForRadius, UsesTheErrorUp) {
     const CuttingPlan plan = sample_plan("stainless steel", 25, 3);
-    const LagState cut{plan.thickness_mm, plan.separation_speed_mm_min};
+    const StraightCut cut{plan.thickness_mm, plan.separation_speed_mm_min};
     int between = 0;
     for (double radius = 0.5; radius < 50; radius += 0.5) {
         const double feed = feed_for_radius_mm_min(plan, radius);

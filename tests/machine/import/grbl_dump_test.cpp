@@ -24,7 +24,7 @@ constexpr const char* kRouter =
 
 ImportResult import_text(const std::string& text) {
     const auto imported = import_grbl(text, "router.txt");
-    EXPECT_TRUE(imported) << imported.error();
+    EXPECT_TRUE(imported) << imported.error().message;
     return imported.value_or(ImportResult{});
 }
 
@@ -59,8 +59,8 @@ TEST(GrblDump, WithHomingMachineCoordinatesGoFromMinusTheTravelToZero) {
 TEST(GrblDump, TheRulesOfItsPlannerAndAFourthAxis) {
     const ImportResult imported = import_text(
         std::string(kRouter) + "$11=0.020\n$12=0.004 (arc tolerance, mm)\n$103=10\n$113=3600\n$123=50\n");
-    EXPECT_EQ(imported.machine.controller.junction_deviation_mm, 0.02);
-    EXPECT_EQ(imported.machine.controller.arc_chord_tolerance_mm, 0.004);
+    EXPECT_EQ(imported.machine.controller.corners.junction_deviation_mm, 0.02);
+    EXPECT_EQ(imported.machine.controller.curves.arc_chord_tolerance_mm, 0.004);
     ASSERT_EQ(imported.machine.axes.size(), 4U);
     EXPECT_EQ(imported.machine.axes[3].letter, 'A');
     EXPECT_EQ(imported.machine.axes[3].max_speed, 60);
@@ -80,14 +80,14 @@ TEST(GrblDump, StoredPointsAreInTheUnitOfReports) {
 TEST(GrblDump, FaultsAreSentences) {
     EXPECT_TRUE(is_grbl_dump("ok\n$110=500\n"));
     EXPECT_FALSE(is_grbl_dump("[machine]\nname = \"m\"\n"));
-    EXPECT_EQ(import_grbl("$100=80\nhello\n", "router.txt").error(),
-              "router.txt:2: 'hello' is no line of what grbl answers to $$ and $#");
-    EXPECT_EQ(import_grbl("$100=80\n$110=500\n", "router.txt").error(),
-              "router.txt: $120, which axis X needs, is not there");
-    EXPECT_EQ(import_grbl("$100=80\n$110=0\n", "router.txt").error(),
-              "router.txt:2: $110, which axis X needs, is not above 0");
-    EXPECT_EQ(import_grbl(std::string(kRouter) + "[G54:1.000]\n", "router.txt").error(),
-              "router.txt:17: '[G54:1.000]' has no numbers for its axes, parted by commas");
+    EXPECT_EQ(import_grbl("$100=80\nhello\n", "router.txt").error().message,
+              "router.txt:2: 'hello' is not a line of grbl's output for $$ and $#");
+    EXPECT_EQ(import_grbl("$100=80\n$110=500\n", "router.txt").error().message,
+              "router.txt: $120 is missing; axis X needs it");
+    EXPECT_EQ(import_grbl("$100=80\n$110=0\n", "router.txt").error().message,
+              "router.txt:2: $110, which axis X needs, must be greater than 0");
+    EXPECT_EQ(import_grbl(std::string(kRouter) + "[G54:1.000]\n", "router.txt").error().message,
+              "router.txt:17: '[G54:1.000]' must have numbers for its axes, separated by commas");
 }
 
 }  // namespace

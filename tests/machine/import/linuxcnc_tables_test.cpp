@@ -20,14 +20,14 @@ struct ImportedTable {
 ImportedTable parameters(const std::string& text, double unit_mm = 1, std::string_view axes = "XYZ") {
     ImportedTable taken;
     const auto done = import_parameters(text, "mill.var", unit_mm, axes, taken.data, taken.notes);
-    if (!done) taken.error = done.error();
+    if (!done) taken.error = done.error().message;
     return taken;
 }
 
 ImportedTable tools(const std::string& text, double unit_mm = 1, std::string_view axes = "XYZ") {
     ImportedTable taken;
     const auto done = import_tools(text, "mill.tbl", unit_mm, axes, taken.data, taken.notes);
-    if (!done) taken.error = done.error();
+    if (!done) taken.error = done.error().message;
     return taken;
 }
 
@@ -51,14 +51,14 @@ TEST(LinuxcncParameters, SystemsPointsAndVariables) {
 
 TEST(LinuxcncParameters, AnAxisThatTheMachineLacksIsTold) {
     EXPECT_THAT(parameters("5225 90\n").notes.left_out,
-                ElementsAre("B of G54: the machine has no such axis"));
+                ElementsAre("B of G54: the machine does not have this axis"));
     EXPECT_THAT(parameters("5225 0\n").notes.left_out, IsEmpty());
     EXPECT_EQ(parameters("5225 90\n5221 1\n", 25.4, "XYZB").data.offsets.at("54").at('B'), 90);
 }
 
 TEST(LinuxcncParameters, AWrongLineHasItsPlace) {
     EXPECT_EQ(parameters("5161 0\nX 5\n").error,
-              "mill.var:2: 'X 5' is no number of a parameter and its value");
+              "mill.var:2: 'X 5' must be the number of a parameter and its value");
 }
 
 TEST(LinuxcncTools, WordsOfATool) {
@@ -78,12 +78,12 @@ TEST(LinuxcncTools, WordsOfATool) {
 
 TEST(LinuxcncTools, WhatIsLeftOutAndWhatIsWrong) {
     EXPECT_THAT(tools("T0 P0 Z1\nT1 P4 A5\n").notes.left_out,
-                ElementsAre("T0: tools are counted from 1", "A of tool 1: the machine has no such axis",
-                            "P4 of tool 1: places in a magazine"));
+                ElementsAre("T0: tool numbers start at 1", "A of tool 1: the machine does not have this axis",
+                            "P4 of tool 1: magazine pockets"));
     EXPECT_EQ(tools("T1 P1 Z2 K5\n").error,
-              "mill.tbl:1: 'K5' is no word of a tool: T P D X Y Z A B C U V W I J Q, each with a number");
+              "mill.tbl:1: 'K5' is not a word of a tool: T P D X Y Z A B C U V W I J Q, each with a number");
     EXPECT_EQ(tools("P1 Z2\n").error, "mill.tbl:1: a tool needs its number T");
-    EXPECT_EQ(tools("T1 Q12\n").error, "mill.tbl:1: Q12 is no orientation, which is 0 to 9");
+    EXPECT_EQ(tools("T1 Q12\n").error, "mill.tbl:1: Q12 is not a valid orientation, which must be 0 to 9");
 }
 
 }  // namespace

@@ -34,9 +34,9 @@ Chain gantry() {
 TEST(Dynamics, GantryIsMassTimesAccelerationAndWeightAndFriction) {
     DynamicsModel model = model_of({point_mass(120, {0.3, 0.7, -0.2}), point_mass(45), point_mass(18)});
     model.tool = point_mass(3.5, {0, 0, 0.1});
-    model.drives[0] = {.coulomb = 60, .viscous = 150, .rotor = 22, .counterweight = 0};
-    model.drives[1] = {.coulomb = 25, .viscous = 80, .rotor = 9, .counterweight = 0};
-    model.drives[2] = {.coulomb = 15, .viscous = 40, .rotor = 6, .counterweight = 150};
+    model.drives[0] = {.coulomb_friction = 60, .viscous = 150, .rotor = 22, .counterweight = 0};
+    model.drives[1] = {.coulomb_friction = 25, .viscous = 80, .rotor = 9, .counterweight = 0};
+    model.drives[2] = {.coulomb_friction = 15, .viscous = 40, .rotor = 6, .counterweight = 150};
     const Dynamics dynamics(gantry(), model);
     Random random(2);
     for (int i = 0; i < 1000; ++i) {
@@ -93,7 +93,7 @@ TEST(Dynamics, TableThatTiltsHoldsAMassBesideItsAxis) {
     DynamicsModel model = model_of({{}});
     model.work = {
         .mass_kg = 25, .centre_m = {0.5, 0.03, 0.08}, .inertia_kg_m2 = 0.2 * Eigen::Matrix3d::Identity()};
-    model.drives[0] = {.coulomb = 4, .viscous = 2, .rotor = 0.7, .counterweight = 1.5};
+    model.drives[0] = {.coulomb_friction = 4, .viscous = 2, .rotor = 0.7, .counterweight = 1.5};
     const Dynamics dynamics(table, model);
     Random random(4);
     for (int i = 0; i < 1000; ++i) {

@@ -88,7 +88,7 @@ class Random {
         model.gravity_m_s2 = vector(10);
         for (int i = 0; i < joints; ++i) {
             model.links.push_back(body());
-            model.drives.push_back({.coulomb = from(0, 30),
+            model.drives.push_back({.coulomb_friction = from(0, 30),
                                     .viscous = from(0, 20),
                                     .rotor = from(0, 5),
                                     .counterweight = from(-50, 50)});

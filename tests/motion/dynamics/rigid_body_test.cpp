@@ -42,7 +42,7 @@ TEST(RigidBody, TensorsOfBodiesAreTakenAndOthersNot) {
     EXPECT_EQ(find_inertia_error(Eigen::Vector3d(-0.5, 2, 2).asDiagonal()),
               "one of its principal moments is negative: -0.5 kg m2");
     EXPECT_EQ(find_inertia_error(Eigen::Vector3d(1, 2, 4).asDiagonal()),
-              "its principal moment 4 kg m2 is more than the sum of the two others, 1 and 2");
+              "its principal moment 4 kg m2 is greater than the sum of the two others, 1 and 2");
 }
 
 }  // namespace

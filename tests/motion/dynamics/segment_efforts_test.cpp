@@ -8,14 +8,14 @@
 namespace gsim::dynamics {
 namespace {
 
-Dynamics three_slide_machine(double coulomb, double viscous) {
+Dynamics three_slide_machine(double coulomb_friction, double viscous) {
     const Chain chain({.base = rrs::CartPos::Identity(),
                        .links = {joint(0, rrs::JointKind::prismatic, Eigen::Vector3d::UnitX()),
                                  joint(1, rrs::JointKind::prismatic, Eigen::Vector3d::UnitY()),
                                  joint(2, rrs::JointKind::prismatic, Eigen::Vector3d::UnitZ())},
                        .end = rrs::CartPos::Identity()});
     DynamicsModel model = model_of({point_mass(80), point_mass(30), point_mass(12)});
-    for (JointDrive& drive : model.drives) drive = {.coulomb = coulomb, .viscous = viscous};
+    for (JointDrive& drive : model.drives) drive = {.coulomb_friction = coulomb_friction, .viscous = viscous};
     return Dynamics(chain, model);
 }
 

@@ -40,7 +40,7 @@ void go(ServoMotion& servos, const motion::Segment& segment, const ServoMotion::
 }
 
 double error(const ServoMotion& servos, double t_s, int joint = 0) {
-    return servos.set_points(t_s)[joint] - servos.positions(t_s)[joint];
+    return servos.history().set_points(t_s)[joint] - servos.history().positions(t_s)[joint];
 }
 
 TEST(ServoMotion, ConstantSpeedFromTheStart) {
@@ -49,7 +49,7 @@ TEST(ServoMotion, ConstantSpeedFromTheStart) {
     go(servos, path(0, joint_pos({5}), joint_pos({105}), 50, kUnlimited));
     EXPECT_NEAR(servos.now_s(), 2, 1e-12);
     EXPECT_NEAR(error(servos, 2), 50.0 / 20 * (1 - std::exp(-40)), 1e-9);
-    EXPECT_NEAR(servos.set_points(2)[0], 105, 1e-9);
+    EXPECT_NEAR(servos.history().set_points(2)[0], 105, 1e-9);
 }
 
 // The clock continues between two segments: a dwell, in which the error decays.
@@ -85,7 +85,8 @@ TEST(ServoMotion, DelayIsAddedInTime) {
     for (const double t_s : {0.05, 0.1234, 0.7, 1.3}) {
         servos.go_to(t_s, {});
         servos.go_to(t_s + 0.0123, {});
-        EXPECT_NEAR(servos.positions(t_s + 0.0123)[0], servos.positions(t_s)[1], 1e-9) << t_s;
+        EXPECT_NEAR(servos.history().positions(t_s + 0.0123)[0], servos.history().positions(t_s)[1], 1e-9)
+            << t_s;
     }
     servos.leave({});
     // At a constant speed: a share of v / gain, and the delay.
@@ -134,7 +135,7 @@ TEST(ServoMotion, CircleThroughALag) {
     servos.begin(segment.start);
     go(servos, segment);
     const double w = kSpeed_mm_s / kRadius_mm;
-    const rrs::JointPos end = servos.positions(servos.now_s());
+    const rrs::JointPos end = servos.history().positions(servos.now_s());
     EXPECT_NEAR(std::hypot(end[0], end[1]), kRadius_mm / std::sqrt(1 + w * w / (kGain_1_s * kGain_1_s)),
                 1e-9);
     EXPECT_NEAR(std::atan2(-end[1], end[0]), std::atan(w / kGain_1_s), 1e-9);

@@ -1,9 +1,8 @@
-#include "motion/kinematics/dense.h"
-
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "motion/kinematics/symmetric_solver.h"
 #include "tests/support/random_matrix.h"
 
 namespace gsim::kinematics::dense_test {

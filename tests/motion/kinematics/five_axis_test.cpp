@@ -128,9 +128,9 @@ TEST(FiveAxis, SlidesThatFallIntoAPlaneAreSingular) {
                   joint_along(3, JointKind::prismatic, Vector3d::UnitZ(), Vector3d::Zero())};
     const auto quill = GantryKinematics::make(Chain(tool)).value();
     EXPECT_TRUE(quill->inverse(pose_from_rpy({.yaw_rad = 1.5}), joint_pos({0, 0, 0, 0})));
-    EXPECT_EQ(
-        quill->inverse(pose_from_rpy({.yaw_rad = kQuarter}), joint_pos({0, 0, 0, 0})).error(),
-        "The pose is singular: with the rotary axes as it needs them, the linear axes move in one plane.");
+    EXPECT_EQ(quill->inverse(pose_from_rpy({.yaw_rad = kQuarter}), joint_pos({0, 0, 0, 0})).error(),
+              "The pose is singular: at the required values of the rotary axes, the linear axes move in one "
+              "plane.");
 }
 
 // A head that turns the tool about its TCP is defined by its TCP, not by its directions alone.

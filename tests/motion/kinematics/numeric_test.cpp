@@ -1,10 +1,9 @@
-#include "motion/kinematics/numeric.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "motion/kinematics/numeric_kinematics.h"
 #include "tests/motion/kinematics/chains.h"
 #include "tests/motion/kinematics/random_pose.h"
 
@@ -97,11 +96,11 @@ TEST(Numeric, OutOfReachSaysByHowMuch) {
     // Straight up, beyond the stretched arm: hypot(431.8, ...) + 100 mm of tool.
     const rrs::CartPos far = pose_from_rpy({.x_mm = 3000});
     const std::string error = robot->inverse(far, rrs::JointPos::Zero(6)).error();
-    EXPECT_THAT(error, HasSubstr("The pose is out of reach: the nearest that the joints come to it is "));
-    EXPECT_THAT(error, testing::EndsWith(" line up."));
+    EXPECT_THAT(error, HasSubstr("The pose is out of reach: the nearest pose of the joints is "));
+    EXPECT_THAT(error, testing::EndsWith(" aligned."));
     const auto narrow = numeric(std::vector<JointRange>(6, {.min = -0.1, .max = 0.1}));
     EXPECT_THAT(narrow->inverse(pose_from_rpy({.z_mm = 400}), rrs::JointPos::Zero(6)).error(),
-                HasSubstr("at an end of the range"));
+                HasSubstr("at a limit of the range"));
 }
 
 TEST(Numeric, JointsThatLineUpAreNamed) {

@@ -53,7 +53,7 @@ TEST(Pose, CheckTellsWhatIsNoPose) {
     rrs::CartPos pose = pose_from_rpy({.roll_rad = 1, .pitch_rad = 2, .yaw_rad = 3});
     EXPECT_TRUE(check_pose(pose));
     pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(check_pose(pose).error(), "The pose holds a value that is not finite.");
+    EXPECT_EQ(check_pose(pose).error(), "The pose contains a value that is not finite.");
     pose = rrs::CartPos::Identity();
     pose.matrix()(3, 3) = 2;
     EXPECT_EQ(check_pose(pose).error(), "The last row of the pose's matrix is not 0 0 0 1.");

@@ -20,7 +20,7 @@ inline PlannerSetup klipper_setup() {
     setup.joints[2].max_acceleration = 200;
     setup.path = {.max_feed_mm_s = 100, .max_acceleration_mm_s2 = 1000};
     setup.controller.planner = rrs::PlannerKind::klipper;
-    setup.controller.arc_resolution_mm = 1;
+    setup.controller.klipper.arc_resolution_mm = 1;
     return setup;
 }
 

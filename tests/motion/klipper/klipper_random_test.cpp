@@ -90,8 +90,8 @@ class WholePath {
 class RandomPath {
   public:
     explicit RandomPath(unsigned seed) : random_(seed) {
-        path_.setup().controller.minimum_cruise_ratio = chance(0.2) ? 0 : 0.95 * share();
-        path_.setup().controller.square_corner_velocity_mm_s = 20 * share();
+        path_.setup().controller.klipper.minimum_cruise_ratio = chance(0.2) ? 0 : 0.95 * share();
+        path_.setup().controller.klipper.square_corner_velocity_mm_s = 20 * share();
         size_ = std::pow(10, 4 * share() - 3);
         bend_ = std::pow(10, 4 * share() - 4);
         climbs_ = chance(0.3);
@@ -104,7 +104,7 @@ class RandomPath {
     const KlipperPath& path() const { return path_; }
     std::vector<Speeds> expected_value() {
         const rrs::ControllerRules& rules = path_.setup().controller;
-        return WholePath(steps_, rules.square_corner_velocity_mm_s, 1000).speeds();
+        return WholePath(steps_, rules.klipper.square_corner_velocity_mm_s, 1000).speeds();
     }
 
   private:
@@ -134,7 +134,8 @@ class RandomPath {
             step.acceleration = std::min(1000.0, 200 / ascent);
         }
         step.speed2 = speed * speed;
-        step.gentle = std::min(step.acceleration, 1000 * (1 - path_.setup().controller.minimum_cruise_ratio));
+        step.gentle =
+            std::min(step.acceleration, 1000 * (1 - path_.setup().controller.klipper.minimum_cruise_ratio));
         steps_.push_back(step);
     }
 

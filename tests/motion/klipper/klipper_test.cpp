@@ -51,7 +51,7 @@ TEST(Klipper, AShortMoveCruisesOverItsShare) {
 
 TEST(Klipper, WithoutACruiseRatioAShortMoveIsATriangle) {
     KlipperPath path;
-    path.setup().controller.minimum_cruise_ratio = 0;
+    path.setup().controller.klipper.minimum_cruise_ratio = 0;
     path.line(3, 0);
     path.standstill();
     EXPECT_NEAR(path.time_s(), 2 * std::sqrt(3.0 / 1000), kEqualTolerance);
@@ -107,7 +107,7 @@ TEST(Klipper, ArcsBecomeAsManyChordsAsTheResolutionAllows) {
     EXPECT_FALSE(path.segments()[0].reaches_target);
     EXPECT_TRUE(path.segments()[5].reaches_target);
     KlipperPath none;
-    none.setup().controller.arc_resolution_mm = 0;
+    none.setup().controller.klipper.arc_resolution_mm = 0;
     const PlanResult rejected = none.arc(2, kPi);
     ASSERT_FALSE(rejected);
     EXPECT_EQ(rejected.error().status, rrs::Status::RRS_MOTION_TYPE_NOT_SUPPORTED);

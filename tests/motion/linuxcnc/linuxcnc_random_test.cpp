@@ -84,8 +84,8 @@ TEST(LinuxcncRandom, SegmentsJoinWithoutAJump) {
 }
 
 void use_2_10(PlannerSetup& setup, bool curves, double jerk) {
-    setup.controller.linuxcnc_release = rrs::LinuxcncRelease::v2_10;
-    setup.controller.limit_jerk = curves;
+    setup.controller.linuxcnc.release = rrs::LinuxcncRelease::v2_10;
+    setup.controller.ramps.limit_jerk = curves;
     setup.path.max_jerk_mm_s3 = jerk;
     for (JointSetup& joint : setup.joints) joint.max_jerk = jerk;
 }

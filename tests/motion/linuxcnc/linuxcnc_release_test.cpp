@@ -13,7 +13,7 @@ constexpr double kNormal = 0.86602540378443864676;
 
 PlannerSetup router_2_9() {
     PlannerSetup setup = router_2_10();
-    setup.controller.linuxcnc_release = rrs::LinuxcncRelease::v2_9;
+    setup.controller.linuxcnc.release = rrs::LinuxcncRelease::v2_9;
     return setup;
 }
 

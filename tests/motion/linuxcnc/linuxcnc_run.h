@@ -101,8 +101,8 @@ class LinuxcncRun final : public SegmentOutput {
     static rrs::ControllerRules make_rules(const PlannerSetup& machine, double servo_period_s,
                                            std::size_t look_ahead) {
         rrs::ControllerRules rules = machine.controller;
-        rules.look_ahead_blocks = look_ahead;
-        rules.servo_period_s = servo_period_s;
+        rules.blocks.look_ahead = look_ahead;
+        rules.position_loop.servo_period_s = servo_period_s;
         return rules;
     }
 
@@ -128,14 +128,14 @@ inline PlannerSetup router_2_10() {
     setup.joints.push_back(
         {.kind = rrs::JointKind::revolute, .max_speed = kPi / 2, .max_acceleration = kPi / 0.9});
     setup.position_joints = {0, 1, 2};
-    setup.controller.linuxcnc_release = rrs::LinuxcncRelease::v2_10;
+    setup.controller.linuxcnc.release = rrs::LinuxcncRelease::v2_10;
     return setup;
 }
 
 /// The same with S-curves of this jerk along the path and of X, Y and Z; B has 2000 deg/s3.
 inline PlannerSetup router_2_10(double jerk_mm_s3) {
     PlannerSetup setup = router_2_10();
-    setup.controller.limit_jerk = true;
+    setup.controller.ramps.limit_jerk = true;
     setup.path.max_jerk_mm_s3 = jerk_mm_s3;
     for (JointSetup& joint : setup.joints) joint.max_jerk = jerk_mm_s3;
     setup.joints[3].max_jerk = 2000 * kPi / 180;

@@ -17,7 +17,7 @@ PlannerSetup linuxcnc_setup() {
     setup.kinematics = std::make_shared<kinematics::ChainKinematics>(kinematics::DhChain(
         rrs::CartPos::Identity(), std::vector{slide, slide, slide, turn, turn}, rrs::CartPos::Identity()));
     setup.controller.planner = rrs::PlannerKind::linuxcnc;
-    setup.controller.servo_period_s = 0.001;
+    setup.controller.position_loop.servo_period_s = 0.001;
     setup.queue_capacity = 2000;
     return setup;
 }

@@ -44,7 +44,7 @@ TEST(LinuxcncStops, ADiagonalHasTheLimitsOfBothAxes) {
     run.next.rapid = true;
     ASSERT_TRUE(run.line(300, 400));
     expect_moves(run.end(), trapezoid_s(500, 508 * 500 / 400.0, kA * 500 / 400), 1);
-    EXPECT_EQ(run.segments[0].limited_by, (LimitedBy{LimitKind::acceleration, 1}));
+    EXPECT_EQ(run.segments[0].limited_by, (LimitCause{LimitKind::acceleration, 1}));
 }
 
 TEST(LinuxcncStops, TheLastMoveInContinuousModeHasHalfTheAcceleration) {
@@ -53,7 +53,7 @@ TEST(LinuxcncStops, TheLastMoveInContinuousModeHasHalfTheAcceleration) {
     run.next.rules.programmed_speed_mm_s = 254;
     ASSERT_TRUE(run.line(1000, 0));
     expect_moves(run.end(), trapezoid_s(1000, 254, kA / 2), 1);
-    EXPECT_EQ(run.segments[0].limited_by, (LimitedBy{LimitKind::feed, -1}));
+    EXPECT_EQ(run.segments[0].limited_by, (LimitCause{LimitKind::feed, -1}));
 }
 
 TEST(LinuxcncStops, AnArcSharesItsAccelerationWithTheWayRound) {

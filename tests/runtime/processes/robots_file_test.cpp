@@ -1,9 +1,14 @@
 #include "runtime/processes/robots_file.h"
 
+#include <array>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 namespace gsim::process::robots_file_test {
 namespace {
+
+constexpr std::array<std::string_view, 2> kDialects{"ab9", "rs274ngc"};
 
 constexpr const char* kGood = R"([[robot]]
 name = "left"
@@ -24,8 +29,8 @@ frame = { x_mm = 350.0 }
 )";
 
 TEST(RobotsFile, IsReadInItsOrder) {
-    const auto file = read_robots(kGood, "cells/r.toml");
-    ASSERT_TRUE(file) << file.error();
+    const auto file = read_robots(kGood, "cells/r.toml", kDialects);
+    ASSERT_TRUE(file) << file.error().message;
     ASSERT_EQ(file->robots.size(), 2U);
     EXPECT_EQ(file->robots[0].name, "left");
     EXPECT_TRUE(file->robots[0].machine.empty());
@@ -43,24 +48,25 @@ TEST(RobotsFile, IsReadInItsOrder) {
 }
 
 void expect_error(const std::string& text, const std::string& part) {
-    const auto file = read_robots(text, "r.toml");
+    const auto file = read_robots(text, "r.toml", kDialects);
     ASSERT_FALSE(file) << text;
-    EXPECT_NE(file.error().find(part), std::string::npos) << file.error();
-    EXPECT_EQ(file.error().rfind("r.toml:", 0), 0U) << file.error();
+    EXPECT_NE(file.error().message.find(part), std::string::npos) << file.error().message;
+    EXPECT_EQ(file.error().message.rfind("r.toml:", 0), 0U) << file.error().message;
 }
 
 TEST(RobotsFile, FaultsAreToldWithTheirPlace) {
     expect_error("", "lacks the key 'robot'");
-    expect_error("robot = []", "holds a [[robot]]");
+    expect_error("robot = []", "at least one [[robot]]");
     expect_error("[[robot]]\nname = \"a b\"", "letters, digits");
-    expect_error("[[robot]]\nname = \"a\"\n[[robot]]\nname = \"a\"", "taken above");
+    expect_error("[[robot]]\nname = \"a\"\n[[robot]]\nname = \"a\"",
+                 "r.toml:4:8: the name 'a' is already used");
     expect_error("[[robot]]\nname = \"a\"\nmashine = \"x\"", "did you mean 'machine'?");
     expect_error("[[robot]]\nname = \"a\"\n[[conveyor]]\nname = \"b\"\ndirection = {}", "must not be zero");
     expect_error("[[robot]]\nname = \"a\"\n[[conveyor]]\nname = \"b\"\ndirection = { x = nan }",
                  "'x' must be");
     const std::string zone = "[[robot]]\nname = \"a\"\n[[zone]]\nname = \"z\"\n";
     expect_error(zone, "lacks the key 'shape'");
-    expect_error(zone + "shape = { mesh = \"m.stl\" }", "a zone is a box");
+    expect_error(zone + "shape = { mesh = \"m.stl\" }", "r.toml:5:9: a zone must be a box");
     expect_error("[[robot", "");
 }
 

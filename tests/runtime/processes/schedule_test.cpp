@@ -66,7 +66,7 @@ TEST(Schedule, WaitsAreToldWithPlaceAndWish) {
     schedule.wait(a, {.kind = WaitKind::equals, .signal = "level", .value = 2.5});
     schedule.wait(b, {});
     EXPECT_EQ(schedule.waits({"cell.lua"}),
-              "'a' (cell.lua:12) waits for 'level' to be 2.5, 'b' waits for a condition of its own");
+              "'a' (cell.lua:12) waits for 'level' to be 2.5, 'b' waits for a user-defined condition");
 }
 
 TEST(Signals, NumbersAndSwitchesCompare) {

@@ -28,7 +28,7 @@ TEST(SharedZones, OneHasItAndOthersWaitInTheirOrder) {
     EXPECT_EQ(zones.holder(0), c);
     EXPECT_EQ(schedule.process(c).state, ProcessState::ready);
     EXPECT_EQ(schedule.process(c).time_s, 3);
-    EXPECT_EQ(schedule.waits({}), "'b' waits for the zone 'fixture', which 'c' has");
+    EXPECT_EQ(schedule.waits({}), "'b' waits for the zone 'fixture', which 'c' occupies");
     schedule.process(c).time_s = 5;
     EXPECT_EQ(zones.leave(schedule, 0), b);
     EXPECT_EQ(zones.leave(schedule, 0), std::nullopt);
@@ -50,10 +50,9 @@ TEST(SharedZones, ARingOfThoseThatWaitIsFound) {
     EXPECT_FALSE(zones.enter(schedule, 2, ids[1]));
     EXPECT_FALSE(zones.enter(schedule, 0, ids[2]));
     const std::vector<ProcessId> ring = schedule.deadlocked_from(ids[2]);
-    EXPECT_EQ(
-        schedule.waits({}, ring),
-        "'c' waits for the zone 'x', which 'a' has, 'a' waits for the zone 'y', which 'b' has, 'b' waits "
-        "for the zone 'z', which 'c' has");
+    EXPECT_EQ(schedule.waits({}, ring),
+              "'c' waits for the zone 'x', which 'a' occupies, 'a' waits for the zone 'y', which 'b' "
+              "occupies, 'b' waits for the zone 'z', which 'c' occupies");
 }
 
 TEST(SharedZones, WhoHasEndedLetsNothingGo) {

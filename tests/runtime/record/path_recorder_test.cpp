@@ -68,7 +68,7 @@ struct RunOf {
         LineMove move;
         move.target = target;
         move.feed = {feed_mm_min, 360, {}};
-        ASSERT_TRUE(simulator.move(move)) << simulator.alarm()->message;
+        ASSERT_TRUE(simulator.moves().enqueue(move)) << simulator.outcome().alarm()->message;
     }
 
     Simulator simulator;
@@ -145,7 +145,7 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
     for (const char* name : {"af5", "mill-table-table", "mill-head-table", "gantry-offset-head"}) {
         for (int round = 0; round < 30; ++round) {
             RunOf run(sample(name));
-            AxisVector start = run.simulator.position();
+            AxisVector start = run.simulator.position().axes();
             for (Eigen::Index i = 0; i < start.size(); ++i) start[i] += simulation::between(random, -50, 50);
             run.line(start);
             ArcMove move;
@@ -159,7 +159,7 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
             const double rise_mm = simulation::between(random, -20, 20);
             move.target = is_on_arc(start, move, rise_mm, 1);
             move.feed.linear_mm_min = 1000;
-            ASSERT_TRUE(run.simulator.move(move));
+            ASSERT_TRUE(run.simulator.moves().enqueue(move));
             const std::vector<Point> points = run.points();
             const Point& arc = points.back();
             ASSERT_TRUE(std::holds_alternative<CenterArc>(arc.arc)) << name;
@@ -175,7 +175,7 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
 // Time is proportional to the axes' path, so that the time of the lines gives the position of the TCP.
 TEST(PathRecorder, WhereTurningMovesTheTipALineBecomesLinesInItsTime) {
     RunOf run(sample("gantry-offset-head"));
-    const AxisVector start = run.simulator.position();
+    const AxisVector start = run.simulator.position().axes();
     AxisVector target = start;
     target[0] += 100;
     target[1] += 30;
@@ -215,7 +215,7 @@ TEST(PathRecorder, AnArcWithRadiiThatDifferIsSplitUntilPathsTakeIt) {
     move.sweep_rad = std::numbers::pi;
     move.target = run.axes({-10.04, 0, 0, 0, 0});
     move.feed.linear_mm_min = 1000;
-    ASSERT_TRUE(run.simulator.move(move));
+    ASSERT_TRUE(run.simulator.moves().enqueue(move));
     const std::vector<Point> points = run.points();
     EXPECT_EQ(points.size(), 7U);
     EXPECT_EQ(points.back().position_mm, (path::Vector{-10.04, 0, 0}));
@@ -224,13 +224,13 @@ TEST(PathRecorder, AnArcWithRadiiThatDifferIsSplitUntilPathsTakeIt) {
 
 TEST(PathRecorder, ActionsAndDwellsStandWhereTheyHappened) {
     RunOf run(sample("af5"));
-    run.simulator.event("spindle_cw", "", {});
+    run.simulator.events().add("spindle_cw", "", {});
     run.line(run.axes({10, 0, 0, 0, 0}));
-    run.simulator.event("jet_on", "", {});
-    run.simulator.event("message", "pierced?", {});
-    run.simulator.dwell(0.5, {});
-    run.simulator.dwell(0.25, {});
-    run.simulator.event("digital_output", "P3 on", {});
+    run.simulator.events().add("jet_on", "", {});
+    run.simulator.events().add("message", "pierced?", {});
+    run.simulator.dwells().enqueue(0.5, {});
+    run.simulator.dwells().enqueue(0.25, {});
+    run.simulator.events().add("digital_output", "P3 on", {});
     run.line(run.axes({20, 0, 0, 0, 0}));
     const std::vector<Point> points = run.points();
     ASSERT_EQ(points.size(), 5U);
@@ -253,7 +253,7 @@ TEST(PathRecorder, FeedsAndOrientationsAreGivenWhereTheyChange) {
     LineMove timed;
     timed.target = run.axes({50, 0, 0, 30, 0});
     timed.feed.motion_s = 2;
-    run.simulator.move(timed);
+    run.simulator.moves().enqueue(timed);
     run.line(run.axes({60, 0, 0, 30, 0}), 900);
     const std::vector<Point> points = run.points();
     ASSERT_EQ(points.size(), 6U);
@@ -269,18 +269,18 @@ TEST(PathRecorder, FeedsAndOrientationsAreGivenWhereTheyChange) {
 
 TEST(PathRecorder, WhatIsSelectedForWhatFollowsIsInItsOrder) {
     RunOf run(sample("af5"));
-    run.simulator.select_work_offset({"55", {{'X', 10}, {'Z', -3}}, 0});
-    run.simulator.set_path_mode(rrs::PathMode::continuous, 0, 0);  // as programs begin
-    run.simulator.set_spindle_speed(1200.5);
+    run.simulator.program().work_offsets().select({"55", {{'X', 10}, {'Z', -3}}, 0});
+    run.simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0, 0);  // as programs begin
+    run.simulator.program().settings().set_spindle_speed(1200.5);
     run.line(run.axes({10, 0, 0, 0, 0}));
-    run.simulator.set_path_mode(rrs::PathMode::continuous, 0.05, 0.01);
-    run.simulator.exact_stop_once();
+    run.simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0.05, 0.01);
+    run.simulator.program().settings().exact_stop_once();
     run.line(run.axes({20, 0, 0, 0, 0}));
-    run.simulator.set_ramps(rrs::RampMode::s_curve);
-    run.simulator.set_ramp_limit(rrs::RampLimit::jerk, 1, 5000);
-    run.simulator.set_ramp_limit(rrs::RampLimit::acceleration, 3, 90);
-    run.simulator.reset_ramp_limits();
-    run.simulator.select_work_offset({"54", {}, 0});
+    run.simulator.program().ramps().set_mode(rrs::RampMode::s_curve);
+    run.simulator.program().ramps().set_limit(rrs::RampLimit::jerk, 1, 5000);
+    run.simulator.program().ramps().set_limit(rrs::RampLimit::acceleration, 3, 90);
+    run.simulator.program().ramps().reset_limits();
+    run.simulator.program().work_offsets().select({"54", {}, 0});
     run.line(run.axes({30, 0, 0, 0, 0}));
     const std::vector<Point> points = run.points();
     ASSERT_EQ(points.size(), 4U);
@@ -295,17 +295,17 @@ TEST(PathRecorder, WhatIsSelectedForWhatFollowsIsInItsOrder) {
 // A change of offsets is no event; a dwell or a switch stops the machine anyway.
 TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
     RunOf run(sample("af5"));
-    run.simulator.wait();
+    run.simulator.clock().wait();
     run.line(run.axes({10, 0, 0, 0, 0}));
-    run.simulator.wait();
-    run.simulator.wait();
+    run.simulator.clock().wait();
+    run.simulator.clock().wait();
     run.line(run.axes({20, 0, 0, 0, 0}));
-    run.simulator.wait();
-    run.simulator.event("jet_on", "", {});
-    run.simulator.wait();
+    run.simulator.clock().wait();
+    run.simulator.events().add("jet_on", "", {});
+    run.simulator.clock().wait();
     run.line(run.axes({30, 0, 0, 0, 0}));
-    run.simulator.event("message", "hello", {}, Simulator::EventTiming::in_passing);
-    run.simulator.wait();
+    run.simulator.events().add("message", "hello", {}, simulation::EventTiming::in_passing);
+    run.simulator.clock().wait();
     run.line(run.axes({40, 0, 0, 0, 0}));
     const std::vector<Point> points = run.points();
     EXPECT_THAT(points[0].actions, ElementsAre());
@@ -318,12 +318,12 @@ TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
 TEST(PathRecorder, RestIsSaidBehindADwellAndAtTheEnd) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));
-    run.simulator.wait();
-    run.simulator.dwell(0.5, {});
-    run.simulator.wait();
-    run.simulator.event("message", "hello", {}, Simulator::EventTiming::in_passing);
+    run.simulator.clock().wait();
+    run.simulator.dwells().enqueue(0.5, {});
+    run.simulator.clock().wait();
+    run.simulator.events().add("message", "hello", {}, simulation::EventTiming::in_passing);
     run.line(run.axes({20, 0, 0, 0, 0}));
-    run.simulator.wait();
+    run.simulator.clock().wait();
     const std::vector<Point> points = run.points();
     ASSERT_EQ(points.size(), 3U);
     EXPECT_EQ(points[1].dwell_s, 0.5);
@@ -336,11 +336,11 @@ TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
     LineMove move;
     move.target = run.axes({10, 0, 0, 0, 0});
     move.feed = {.linear_mm_min = 600, .rotary_deg_min = 600, .linear_mm_rev = 0.5};
-    run.simulator.move(move);
+    run.simulator.moves().enqueue(move);
     move.kind = MoveKind::thread;
     move.target = run.axes({20, 0, 0, 0, 0});
     move.feed.linear_mm_rev = 2;
-    run.simulator.move(move);
+    run.simulator.moves().enqueue(move);
     const std::vector<Point> points = run.points();
     EXPECT_EQ(points[1].feed_mm_rev, 0.5);
     EXPECT_EQ(points[2].lead_mm, 2);
@@ -349,14 +349,13 @@ TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
 
 TEST(PathRecorder, ToolCentrePointControlIsRefused) {
     RunOf run(sample("mill-head-table"));
-    run.simulator.set_tcp_control(Eigen::Vector3d(0, 0, 50), {});
-    EXPECT_EQ(run.recorder.finish("p").error(),
-              "tool-centre-point control (G43.4) moves the tip, not the axes");
+    run.simulator.tcp_control().set(Eigen::Vector3d(0, 0, 50), {});
+    EXPECT_EQ(run.recorder.finish("p").error().message, "TCP control (G43.4) moves the TCP, not the axes");
 }
 
 TEST(PathRecorder, AMachineWithoutXYZGivesPoses) {
     RunOf run(machine::load_machine(tests::source_path("samples/machines/arm6.toml")).value());
-    AxisVector target = run.simulator.position();
+    AxisVector target = run.simulator.position().axes();
     target[0] += 20;
     target[3] += 10;
     run.line(target);
@@ -370,7 +369,7 @@ TEST(PathRecorder, CornersAreThoseOfTheProgramThoughAControllerRoundsThem) {
     for (machine::Axis& axis : machine.axes) axis.max_acceleration = 500;
     machine.controller.planner = rrs::PlannerKind::linuxcnc;
     RunOf run(machine);
-    run.simulator.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
+    run.simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0.5, 0);
     run.line(run.axes({10, 0, 0, 0, 0}), 6000);
     run.line(run.axes({10, 10, 0, 0, 0}), 6000);
     const std::vector<Point> points = run.points();
@@ -382,13 +381,13 @@ TEST(PathRecorder, MotionByServicesIsRefused) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));
     run.recorder.on_unrecordable_motion("the script moves by services (SetNextTarget)");
-    EXPECT_THAT(run.recorder.finish("p").error(), testing::HasSubstr("SetNextTarget"));
+    EXPECT_THAT(run.recorder.finish("p").error().message, testing::HasSubstr("SetNextTarget"));
 }
 
 TEST(PathRecorder, NothingMakesNoPath) {
     const machine::Machine machine = sample("af5");
     PathRecorder recorder(machine);
-    EXPECT_THAT(recorder.finish("p").error(), testing::HasSubstr("neither moves nor switches"));
+    EXPECT_THAT(recorder.finish("p").error().message, testing::HasSubstr("neither moves nor switches"));
 }
 
 }  // namespace

@@ -225,14 +225,13 @@ TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
     };
     const Ended lines = written("");
     EXPECT_EQ(lines.status, 0) << lines.err;
-    EXPECT_TRUE(contains(lines.out, "(an arc outside the planes of the axes by lines within 0.01 mm)"))
+    EXPECT_TRUE(contains(lines.out, "(an arc outside the planes of the axes as lines within 0.01 mm)"))
         << lines.out;
     const Ended rejected = written("oblique = \"refuse\"\n");
     EXPECT_EQ(rejected.status, 1);
-    EXPECT_TRUE(
-        contains(rejected.err,
-                 "this arc lies outside the planes of X, Y and Z, and the post refuses such arcs ([arcs], "
-                 "oblique)"))
+    EXPECT_TRUE(contains(
+        rejected.err,
+        "this arc is outside the planes of X, Y and Z, and the post rejects such arcs ([arcs], oblique)"))
         << rejected.err;
     const Ended through = written("through_point = [\"G2.4\", \"I\", \"J\", \"K\"]\n");
     EXPECT_TRUE(contains(through.out, "G2.4 X120 I110 J8 K6 F1000\n")) << through.out;

@@ -50,8 +50,8 @@ class Random {
     std::mt19937 engine_{7};
 };
 
-void expect_solution(const tl::expected<ArcSolution, std::string>& found, const KnownArc& arc) {
-    ASSERT_TRUE(found) << found.error();
+void expect_solution(const Result<ArcSolution>& found, const KnownArc& arc) {
+    ASSERT_TRUE(found) << found.error().message;
     EXPECT_NEAR(found->center.x(), arc.center.x(), 1e-6);
     EXPECT_NEAR(found->center.y(), arc.center.y(), 1e-6);
     EXPECT_NEAR(found->sweep_rad, arc.sweep, 1e-6);
@@ -143,7 +143,7 @@ TEST(ArcSolution, OddNumbersComeBack) {
         const auto by_radius = arc_by_radius(ends, odd, {});
         const auto by_angle = arc_by_angle(ends, 1);
         EXPECT_TRUE(!by_center || by_center->sweep_rad <= 2 * kPi);
-        EXPECT_TRUE(by_radius || !by_radius.error().empty());
+        EXPECT_TRUE(by_radius || !by_radius.error().message.empty());
         EXPECT_TRUE(!by_angle || by_angle->sweep_rad == 1);
     }
 }

@@ -11,7 +11,7 @@
 
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 
@@ -311,7 +311,7 @@ TEST(Groups, WhatNeedsAnIndependentGroupWaitsForIt) {
 
 TEST(Groups, SCurvesOfAnIndependentGroupEndInARest) {
     Conditions conditions = in_the_cell();
-    conditions.machine.controller.limit_jerk = true;
+    conditions.machine.controller.ramps.limit_jerk = true;
     conditions.machine.axes[kTable].max_jerk = 1000;
     const GroupRun r(kByItself + "t.move{z=180}\nG0{x=900}\nG4{p=10}\n", conditions);
     ASSERT_TRUE(r.run.completed()) << r.run.message();
@@ -332,25 +332,27 @@ TEST(Groups, TheScriptSaysHowTheyMove) {
 TEST(Groups, WhatCannotBeIsSaid) {
     const auto said = [](const std::string& lua) { return run_lua(lua, in_the_cell()); };
     expect_alarm(said("F(600)\nMoveLinear{x=1, table={z=1}}"), 2,
-                 {"MoveLinear", "no 'table'", "its groups are: track, turntable"});
+                 {"MoveLinear", "not 'table'", "its groups are: track, turntable"});
     expect_alarm(said("F(600)\nMoveLinear{x=1, turntable={c=1}}"), 2,
                  {"the group 'turntable' has no axis 'c'", "its axes: z"});
-    expect_alarm(said("F(600) MoveLinear{x=1, turntable=90}"), "is told by a table of its axes (z)");
-    expect_alarm(said("F(600) MoveLinear{x=1, turntable={z='1'}}"), "is no number");
+    expect_alarm(said("F(600) MoveLinear{x=1, turntable=90}"), "a table of its axes (z): turntable");
+    expect_alarm(said("F(600) MoveLinear{x=1, turntable={z='1'}}"), "the group 'turntable' is not a number");
     expect_alarm(said("group 'turntabel'"), "did you mean 'turntable'?");
     expect_alarm(said("F(600) " + kToTheRim + "MoveLinear{x=2200, z=10, yaw=180, track={x=2000}}"),
-                 "axis X would stand at");
+                 "axis X would be at 2000 mm, outside its range -1000 .. 1000");
     expect_alarm(said("MoveJoint{x=2200, z=10, yaw=180, track={x=2000}}"),
-                 "axis X would stand at 2000 mm, outside of its range -1000 .. 1000");
-    expect_alarm(said("F(600) MoveCircular{via={x=1, track={x=1}}, to={x=2}}"), "is told by 'to'");
-    expect_alarm(said("group('turntable').move{z=1}"), "independent() comes before");
-    expect_alarm(said(kByItself + "F(600) MoveLinear{x=1, turntable={z=1}}"), 2, {"move{...} moves it"});
+                 "axis X would be at 2000 mm, outside its range -1000 .. 1000");
+    expect_alarm(said("F(600) MoveCircular{via={x=1, track={x=1}}, to={x=2}}"),
+                 "the group 'track' must be given in 'to'");
+    expect_alarm(said("group('turntable').move{z=1}"), "group(\"turntable\").independent() before");
+    expect_alarm(said(kByItself + "F(600) MoveLinear{x=1, turntable={z=1}}"), 2,
+                 {"'turntable' is independent", "group(\"turntable\").move{...}"});
     expect_alarm(said("local k = group 'track' k.independent()\nk.move{x=2000}"), 2, {"2000"});
-    expect_alarm(said(kByItself + "t.move(90)"), 2, {"is told by a table of its axes (z)"});
+    expect_alarm(said(kByItself + "t.move(90)"), 2, {"a table of its axes (z): turntable"});
     Conditions rounds = in_the_cell(rrs::PlannerKind::look_ahead);
-    rounds.machine.controller.corner = rrs::CornerRule::smooth_blend;
+    rounds.machine.controller.corners.continuous = rrs::CornerRule::smooth_blend;
     expect_alarm(run_lua(kByItself + "t.move{z=90}", rounds), "a controller that rounds corners");
-    expect_alarm(run_lua("group 'table'"), "tables [[group]] of the machine file make them");
+    expect_alarm(run_lua("group 'table'"), "groups are defined by tables [[group]] of the machine file");
 }
 
 // If a closed inverse finds all axes, words move those of groups, and G43.4 coordinates them.
@@ -361,7 +363,8 @@ TEST(Groups, AMillsTableIsLedByWords) {
     conditions.machine.groups.push_back({"table", {3, 4}});
     EXPECT_TRUE(run_lua("F(600) G1{x=10, c=20}", conditions).completed());
     expect_alarm(run_lua("group('table').coordinated()", conditions), "G43.4 coordinates all axes");
-    expect_alarm(run_lua("F(600) MoveLinear{z=100, table={c=20}}", conditions), "words such as G1 lead them");
+    expect_alarm(run_lua("F(600) MoveLinear{z=100, table={c=20}}", conditions),
+                 "the group 'table'; move them by words such as G1");
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(Neutral, AnArmGoesToItsPosesAndNamesThoseItCannotReach) {
     ASSERT_TRUE(r.completed()) << r.message();
     expect_pose(pose_after(r, 0), {500, 100, 300, 0, 150, 0});
     EXPECT_TRUE(r.report.warnings.empty());
-    expect_alarm(run_lua("\nMoveJoint{x=3000}", arm), 2, {"The pose is out of reach", " mm and ", "line up"});
+    expect_alarm(run_lua("\nMoveJoint{x=3000}", arm), 2, {"The pose is out of reach", " mm and ", "aligned"});
 }
 
 // The wrist of the arm straight.
@@ -148,10 +148,9 @@ TEST(Neutral, ASingularPoseIsAWarningThatNamesItsLineAndItsAxes) {
                                                     rpy.pitch_rad / kRadPerDeg, rpy.yaw_rad / kRadPerDeg}),
                               arm);
     ASSERT_EQ(r.report.warnings.size(), 1U);
-    EXPECT_EQ(
-        r.report.warnings[0],
-        "part.lua:2: the pose is singular: axes U and W line up, and can turn against each other while the "
-        "tool stands");
+    EXPECT_EQ(r.report.warnings[0],
+              "part.lua:2: the pose is singular: axes U and W are aligned and can turn against each other "
+              "without moving the tool");
 }
 
 TEST(Neutral, AMachineWithoutInverseSaysSo) {

@@ -19,7 +19,7 @@ TEST(PathScript, BuildsPointsAndSubPathsInLoops) {
                     rotary_deg = {B = 1, C = 2}}, repeated(4, part)}
     )lua",
                                       "f.lua");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const path::Program& program = file->program;
     ASSERT_EQ(program.paths.size(), 2U);
     EXPECT_EQ(program.paths[program.root].name, "part");
@@ -41,7 +41,7 @@ TEST(PathScript, PathsAndUsesHaveFramesAndTools) {
                     repeated(2, part, {work_offset = "G55", set_offset_mm = {4, 5, 6}})}
     )lua",
                                       "f.lua");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const path::Program& program = file->program;
     EXPECT_EQ(program.paths[0].tool, (path::Tool{3, 3, 4}));
     EXPECT_EQ(program.paths[1].frame, (path::WorkFrame{"54", path::Vector{1, 2, 3}}));
@@ -59,7 +59,7 @@ TEST(PathScript, MachinePointsAndTouches) {
         }}), point{fixed = "CLAMP1", name = "left", dwell_s = 2, actions = {"clamp"}}, point{fixed = 7}}
     )lua",
                                       "f.lua");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const path::Program& program = file->program;
     EXPECT_EQ(std::get<path::MachinePoint>(program.paths[0].targets[0]).number, 2);
     const std::vector<path::Touch>& touches =
@@ -89,17 +89,15 @@ TEST(PathScript, ErrorsNameTheLine) {
         {"return point{motion = 'linear'}", "f.lua:1: a point lacks the key 'position_mm'"},
         {"return path{point{position_mm = {1, 2, 3}}}", "f.lua:1: a path lacks 'name'"},
         {"return path{name = 'a', tool = 'T1'}", "f.lua:1: 'tool' must be a number"},
-        {"return path{name = 'a', length_offset = 1}", "f.lua:1: 'length_offset' goes with 'tool'"},
+        {"return path{name = 'a', length_offset = 1}", "f.lua:1: 'length_offset' requires 'tool'"},
         {"return path{name = 'a', tol = 1}",
-         "f.lua:1: path{..} takes 'name', 'work_offset', 'set_offset_mm', 'probe_offset', 'tool', "
-         "'length_offset', "
-         "'diameter_offset' and, in their order, points and sub-paths"},
-        {"return repeated(1, path{name = 'a'}, {tool = 1})",
-         "f.lua:1: unknown key 'tool' in a use of a path"},
+         "f.lua:1: path{..} needs 'name', 'work_offset', 'set_offset_mm', 'probe_offset', 'tool', "
+         "'length_offset', 'diameter_offset' and, in their order, points and sub-paths"},
+        {"return repeated(1, path{name = 'a'}, {tool = 1})", "f.lua:1: unknown key 'tool' in a sub-path"},
         {"return path{name = 'a', probe_offset = 1}",
          "f.lua:1: 'probe_offset' must be a table of touches, each a table"},
         {"return path{name = 'a', probe_offset = {}}",
-         "f.lua:1: 'probe_offset' must hold one touch at least"},
+         "f.lua:1: 'probe_offset' must contain at least one touch"},
         {"return path{name = 'a', probe_offset = {7}}",
          "f.lua:1: 'probe_offset' must be a table of touches, each a table"},
         {"return path{name = 'a', probe_offset = {{axis = 'X', depth = 1}}}",
@@ -114,7 +112,7 @@ TEST(PathScript, ErrorsNameTheLine) {
         {"return repeated(0, path{name = 'a'})", "f.lua:1: repeated(n, p)"},
         {"return path{name = 'a',\n point{position_mm = {1, 2, 3}, feed_mm_min = 0/0}}",
          "f.lua:2: 'feed_mm_min' must be greater than 0"},
-        {"while true do end", "f.lua:1: the script takes more steps than it may"},
+        {"while true do end", "f.lua:1: the script exceeds the allowed number of steps"},
         {"local t = {} for i = 1, 1e9 do t[i] = {} end",
          "f.lua:1: the script needs more memory than the run may use, 32 MB (--memory): "},
         {"local t = {name = 'a'} for i = 1, 1e9 do t[i] = point{position_mm = {1, 2, 3}} end",
@@ -132,7 +130,7 @@ TEST(PathScript, ErrorsNameTheLine) {
     for (const Wrong& each : cases) {
         const auto file = run_path_script(each.script, "f.lua", limits);
         ASSERT_FALSE(file) << each.script;
-        EXPECT_EQ(file.error().substr(0, each.error.size()), each.error) << each.script;
+        EXPECT_EQ(file.error().message.substr(0, each.error.size()), each.error) << each.script;
     }
 }
 

@@ -73,7 +73,7 @@ TEST(Processes, ADeadlockSaysWhoWaitsForWhat) {
         "process('left', function()\n  wait_until 'right ready'\nend)\n"
         "process('right', function()\n  wait(2)\n  wait_until('left ready', 3)\nend)\n");
     expect_alarm(r, 2,
-                 {"nothing can go on", "'left' (part.lua:2) waits for 'right ready' to be on",
+                 {"no process can continue", "'left' (part.lua:2) waits for 'right ready' to be on",
                   "'right' (part.lua:6) waits for 'left ready' to be 3"});
 }
 
@@ -118,9 +118,11 @@ TEST(Processes, ErrorsHaveTheirLineAndEndTheRun) {
     expect_alarm(run_lua("process('a', 5)\n"), 1, {"process"});
     expect_alarm(run_lua("\nsignal('a', 0/0)\n"), 2, {"finite"});
     expect_alarm(run_lua("\nsignal('', 1)\n"), 2, {"name of a signal"});
-    expect_alarm(run_lua("\nwait(-1)\n"), 2, {"0 seconds or more"});
-    expect_alarm(run_lua("robot('left')\n"), 1, {"there is no robot 'left'"});
-    expect_alarm(run_lua("conveyor('belt')\n"), 1, {"there is no conveyor 'belt'"});
+    expect_alarm(run_lua("\nwait(-1)\n"), 2, {"seconds, 0 or more"});
+    expect_alarm(run_lua("robot('left')\n"), 1,
+                 {"unknown robot 'left'; robots are defined in a robots file (--robots)"});
+    expect_alarm(run_lua("conveyor('belt')\n"), 1,
+                 {"unknown conveyor 'belt'; conveyors are defined in a robots file (--robots)"});
     expect_alarm(run_lua("\ntable.sort({2, 1}, function() wait_until('x') end)\n"), 2, {"yield"});
 }
 

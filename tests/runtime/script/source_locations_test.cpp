@@ -50,11 +50,11 @@ TEST(Simulators, TwoInOneProcessDoNotMeet) {
     Engine other(second, {});
     EXPECT_TRUE(one.run(Script::from_text("G91() v[1] = 5.0 shared = 7 G0{x=100}", "a.lua", 0)));
     EXPECT_FALSE(other.run(Script::from_text("G0{x=10.0, y=v[1]} G0{z=shared}", "b.lua", 0)));
-    EXPECT_NE(second.alarm()->message.find("'shared'"), std::string::npos);
-    EXPECT_FALSE(first.alarm());
-    EXPECT_DOUBLE_EQ(first.position()[0], 100);
-    EXPECT_DOUBLE_EQ(second.position()[0], 10);
-    EXPECT_DOUBLE_EQ(second.position()[1], 0);  // #1 is vacant there
+    EXPECT_NE(second.outcome().alarm()->message.find("'shared'"), std::string::npos);
+    EXPECT_FALSE(first.outcome().alarm());
+    EXPECT_DOUBLE_EQ(first.position().axes()[0], 100);
+    EXPECT_DOUBLE_EQ(second.position().axes()[0], 10);
+    EXPECT_DOUBLE_EQ(second.position().axes()[1], 0);  // #1 is vacant there
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ TEST(Poses, LinearMovesOfAnArmAreLinesInSpace) {
 TEST(Poses, AnUnreachableOneNamesItsBlock) {
     expect_alarm(run_lua("F(6000)\nMoveJoint{x=500, y=100, z=200, pitch=150}\nMoveLinear{x=5000, y=0, z=0}",
                          on("arm6")),
-                 3, {"The tool cannot follow its way"});
+                 3, {"The tool cannot follow its path at X"});
 }
 
 }  // namespace

@@ -27,12 +27,13 @@ std::string machine_text(double acceleration_percent2, double residual_percent) 
 /// 300 mm at 100 mm/s: 3 s and v / a = 0.2 s.
 Report run(const std::string& machine, double dwell_s = 0, bool turned = false) {
     Simulator simulator(machine::read_machine(machine, "m.toml").value(), RunLimits{});
-    simulator.add_file("part.nc");
-    if (turned) simulator.set_overrides(motion::OverrideSchedule({{0, {.rapid = 0.5}}}));
-    LineMove move{.kind = MoveKind::rapid, .target = simulator.position(), .feed = {}, .location = {0, 1}};
+    simulator.program().files().add("part.nc");
+    if (turned) simulator.motion().set_overrides(motion::OverrideSchedule({{0, {.rapid = 0.5}}}));
+    LineMove move{
+        .kind = MoveKind::rapid, .target = simulator.position().axes(), .feed = {}, .location = {0, 1}};
     move.target[0] = 300;
-    EXPECT_TRUE(simulator.move(move));
-    EXPECT_TRUE(simulator.dwell(dwell_s, {0, 2}));
+    EXPECT_TRUE(simulator.moves().enqueue(move));
+    EXPECT_TRUE(simulator.dwells().enqueue(dwell_s, {0, 2}));
     return simulator.finish("part.nc");
 }
 
@@ -68,7 +69,7 @@ TEST(ConfidenceIntervalMonitor, IsInTheReport) {
 TEST(ConfidenceIntervalMonitor, SaysWhyThereIsNone) {
     const Report report = run(machine_text(100, 0), 0, true);
     EXPECT_FALSE(report.interval);
-    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("without an interval: overrides are turned")));
+    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("no interval: overrides are changed")));
 }
 
 TEST(ConfidenceIntervalMonitor, AMachineThatIsNotCalibratedHasNone) {

@@ -30,7 +30,7 @@ TEST(EarlyBrakingMonitor, TellsTheTimeAndTheWorstPlace) {
     monitor.on_segment(crawl(6), {.location = {0, 9}});
     const std::string said = monitor.warning({"part.nc"}).value_or("");
     EXPECT_THAT(said, HasSubstr("2 blocks"));
-    EXPECT_THAT(said, HasSubstr("7.500 s in all"));
+    EXPECT_THAT(said, HasSubstr("7.500 s in total"));
     EXPECT_THAT(said, HasSubstr("in 6.000 s in part.nc:9"));
 }
 

@@ -49,22 +49,23 @@ machine::Machine make_machine(const std::string& more = "") {
 
 std::unique_ptr<Simulator> simulator_of(const machine::Machine& machine) {
     auto simulator = std::make_unique<Simulator>(machine, RunLimits{});
-    simulator->set_dynamics(make_dynamics(machine).value());
-    simulator->add_file("part.nc");
+    simulator->monitors().set_dynamics(make_dynamics(machine).value());
+    simulator->program().files().add("part.nc");
     return simulator;
 }
 
 void rapid(Simulator& simulator, double x, double z, std::uint32_t line) {
-    LineMove move{.kind = MoveKind::rapid, .target = simulator.position(), .feed = {}, .location = {0, line}};
+    LineMove move{
+        .kind = MoveKind::rapid, .target = simulator.position().axes(), .feed = {}, .location = {0, line}};
     move.target[0] = x;
     move.target[1] = z;
-    simulator.move(move);
+    simulator.moves().enqueue(move);
 }
 
 TEST(EffortMonitor, OneMoveIsItsClosedForm) {
     const auto simulator = simulator_of(make_machine());
     rapid(*simulator, 500, 0, 7);  // 0.25 s up, 0.75 s, 0.25 s down
-    simulator->dwell(1, {0, 8});
+    simulator->dwells().enqueue(1, {0, 8});
     const Report report = simulator->finish("part.nc");
     ASSERT_TRUE(report.efforts);
     const AxisEffort& x = report.efforts->axes[0];
@@ -93,11 +94,12 @@ TEST(EffortMonitor, MoveThatIsTooHardIsNamedWithWhatWouldDo) {
     const EffortExcess& excess = report.efforts->excesses[0];
     EXPECT_EQ(excess.location.line, 3U);
     EXPECT_NEAR(*excess.acceleration_share, (200 - 30) / 200.0, 1e-6);
-    EXPECT_EQ(excess_text(excess), "axis X needs 230 N of 200 N; 0.85 of its acceleration would do");
+    EXPECT_EQ(excess_text(excess), "axis X needs 230 N of 200 N; 0.85 of its acceleration is possible");
     const std::string json = to_json(report);
     EXPECT_THAT(json, HasSubstr("\"code\": \"motor-peak\""));
-    EXPECT_THAT(to_text(report), HasSubstr("motor: part.nc:3: axis X needs 230 N of 200 N; 0.85 of its "
-                                           "acceleration would do\n"));
+    EXPECT_THAT(
+        to_text(report),
+        HasSubstr("motor: part.nc:3: axis X needs 230 N of 200 N; 0.85 of its acceleration is possible\n"));
 }
 
 // The share is what it says: with 0.85 of the acceleration the same move is within the limit, and with more
@@ -121,9 +123,9 @@ TEST(EffortMonitor, WeightThatIsTooMuchIsNoMatterOfAcceleration) {
     const auto simulator = simulator_of(machine);
     rapid(*simulator, 0, 1, 5);
     const Report report = simulator->finish("part.nc");
-    EXPECT_EQ(excess_text(report.efforts->excesses[0]),
-              "axis Z needs 236.1 N of 190 N; weight, friction and speed alone are more, whatever its "
-              "acceleration");
+    EXPECT_EQ(
+        excess_text(report.efforts->excesses[0]),
+        "axis Z needs 236.1 N of 190 N; weight, friction and speed alone exceed it, with any acceleration");
 }
 
 TEST(EffortMonitor, MeanOfTheRunAgainstWhatTheMotorDoesWithoutEnd) {
@@ -134,9 +136,9 @@ TEST(EffortMonitor, MeanOfTheRunAgainstWhatTheMotorDoesWithoutEnd) {
     const Report report = simulator->finish("part.nc");
     ASSERT_EQ(report.efforts->excesses.size(), 1U);
     // Half of the time 230 N, half 170 N.
-    EXPECT_EQ(excess_text(report.efforts->excesses[0]),
-              "axis X needs 202.2 N as a root mean square of the whole run, of 120 N that its motor does "
-              "without end");
+    EXPECT_EQ(
+        excess_text(report.efforts->excesses[0]),
+        "axis X needs 202.2 N as a root mean square of the complete run, of 120 N continuous of its motor");
     EXPECT_THAT(to_json(report), HasSubstr("\"code\": \"motor-continuous\""));
 }
 
@@ -162,16 +164,16 @@ TEST(EffortMonitor, JumpsOfSpeedAreImpulsesAndWork) {
     EXPECT_NEAR(x.peak, 30, 1e-9);
     EXPECT_NEAR(x.drive_j, 12.5 + 15, 1e-7);
     EXPECT_NEAR(x.regenerated_j, 12.5, 1e-7);
-    EXPECT_THAT(to_text(report), HasSubstr("jumps       2 of speeds"));
+    EXPECT_THAT(to_text(report), HasSubstr("jumps       2 in speed"));
 }
 
 TEST(EffortMonitor, EnergyOfEachProgram) {
     const auto simulator = simulator_of(make_machine());
     rapid(*simulator, 500, 0, 1);
     for (int i = 0; i < 2; ++i) {
-        simulator->enter_program("O2", {0, 2});
+        simulator->program().calls().enter("O2", {0, 2});
         rapid(*simulator, 500, i == 0 ? 100 : 0, 3);
-        simulator->leave_program();
+        simulator->program().calls().leave();
     }
     rapid(*simulator, 0, 0, 4);
     const Report report = simulator->finish("part.nc");

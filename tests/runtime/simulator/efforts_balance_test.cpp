@@ -29,7 +29,7 @@ machine::Machine heavy(std::mt19937& random, std::size_t program) {
     machine.dynamics = machine::DynamicsTable{.gravity_m_s2 = {1, -2, -9.5}};
     for (machine::Axis& axis : machine.axes) {
         const bool rotary = axis.kind == machine::AxisKind::rotary;
-        axis.drive = {.coulomb = around(random, rotary ? 2 : 40, 0.3),
+        axis.drive = {.coulomb_friction = around(random, rotary ? 2 : 40, 0.3),
                       .viscous = around(random, rotary ? 0.02 : 0.2, 0.3),
                       .rotor = around(random, rotary ? 0.1 : 10, 0.3),
                       .counterweight = between(random, -20, 20)};
@@ -62,7 +62,7 @@ struct Friction : RunOutput {
                 const machine::Drive& drive = machine.axes[axis].drive;
                 const double distance = std::abs(to[joint] - from[joint]) * (linear ? 1e-3 : 1);
                 const double speed = axis_speed(linear, v[joint]);
-                work_j += drive.coulomb * distance;
+                work_j += drive.coulomb_friction * distance;
                 work_j += drive.viscous * speed * std::abs(v[joint]) * (linear ? 1e-3 : 1) * step_s;
             }
             from = to;
@@ -107,7 +107,7 @@ TEST(EffortsBalance, OfRandomProgramsUnderEachController) {
         std::mt19937 random(static_cast<unsigned>(program));
         const machine::Machine machine = heavy(random, program);
         Simulator simulator(machine, {});
-        simulator.set_dynamics(make_dynamics(machine).value());
+        simulator.monitors().set_dynamics(make_dynamics(machine).value());
         Friction friction(machine);
         simulator.add_output(friction);
         RandomMoves(random, simulator).make(kMoves);

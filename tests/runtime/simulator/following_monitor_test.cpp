@@ -54,7 +54,7 @@ direction = "z"
 }
 
 FollowingReport following(Simulator& simulator) {
-    simulator.add_file("part.nc");
+    simulator.program().files().add("part.nc");
     return simulator.finish("part.nc").following.value();
 }
 
@@ -142,17 +142,17 @@ TEST(FollowingMonitor, CornerIsRoundedByTheLag) {
 TEST(FollowingMonitor, CornerThatTheControllerRoundsIsPartOfTheWayFromTheProgramAlone) {
     machine::Machine machine = slides();
     machine.controller = machine::built_in_controller("blend").value();
-    machine.controller.position_gain_1_s = 0;
+    machine.controller.position_loop.gain_1_s = 0;
     for (machine::Axis& axis : machine.axes) {
         axis.servo->velocity_feed_forward = 1;
         axis.max_acceleration = 1000;
         axis.max_speed = 500;
     }
     Simulator simulator(machine, {});
-    simulator.set_path_mode(rrs::PathMode::continuous, 0.2, 0);
+    simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0.2, 0);
     feed(simulator, 50, 0, 1);
     feed(simulator, 50, 50, 2);
-    simulator.add_file("part.nc");
+    simulator.program().files().add("part.nc");
     const Report report = simulator.finish("part.nc");
     ASSERT_GT(report.blends.feed.deviation_mm, 0.05);
     EXPECT_NEAR(report.following->feed.error_mm, 0, 1e-6);
@@ -167,7 +167,7 @@ TEST(FollowingMonitor, RapidMovesAreToldApart) {
     Simulator simulator(machine, {});
     feed(simulator, 300, 0, 1, MoveKind::rapid);
     feed(simulator, 300, 300, 2, MoveKind::rapid);
-    simulator.dwell(2, {0, 3});
+    simulator.dwells().enqueue(2, {0, 3});
     feed(simulator, 100, 300, 4);
     feed(simulator, 100, 100, 5);
     const FollowingReport report = following(simulator);
@@ -198,11 +198,11 @@ TEST(FollowingMonitor, CircleShrinks) {
     Simulator simulator(slides(), {});
     StringStream stream;
     TrajectoryWriter writer(stream.out(), simulator.machine(), 0.05, 1e9);
-    writer.add_following(simulator.following_setup().value());
+    writer.add_following(simulator.monitors().following_setup().value());
     simulator.add_output(writer);
     ArcMove move = circle_at(simulator, kRadius_mm, kFed_mm_s * 60);
     move.location = {0, 4};
-    ASSERT_TRUE(simulator.move(move));
+    ASSERT_TRUE(simulator.moves().enqueue(move));
     const FollowingReport report = following(simulator);
     const double w = kFed_mm_s / kRadius_mm / kGain_1_s;
     const double shrunk_mm = kRadius_mm - kRadius_mm / std::sqrt(1 + w * w);
@@ -231,11 +231,11 @@ TEST(FollowingMonitor, EndlessTurnsAndVerySlowMovesEnd) {
     Simulator simulator(machine, {});
     ArcMove move = circle_at(simulator, 25, kFed_mm_s * 60);
     move.sweep_rad *= 2000;
-    ASSERT_TRUE(simulator.move(move));
+    ASSERT_TRUE(simulator.moves().enqueue(move));
     move.sweep_rad /= 2000;
     move.feed.linear_mm_min = 0.1;
-    ASSERT_TRUE(simulator.move(move));
-    simulator.dwell(1e6, {0, 3});
+    ASSERT_TRUE(simulator.moves().enqueue(move));
+    simulator.dwells().enqueue(1e6, {0, 3});
     const FollowingReport report = following(simulator);
     const double w = kFed_mm_s / 25 / kGain_1_s;
     EXPECT_GE(report.feed.error_mm, 25 - 25 / std::sqrt(1 + w * w) - 1e-4);
@@ -247,7 +247,7 @@ TEST(FollowingMonitor, GainOfTheControllerIsThatOfTheAxesWithoutOne) {
     machine::Machine machine = slides();
     machine.axes[0].servo = machine::Servo{};
     machine.axes[1].servo.reset();
-    machine.controller.position_gain_1_s = 20;
+    machine.controller.position_loop.gain_1_s = 20;
     Simulator simulator(machine, {});
     feed(simulator, 300, 400, 1);
     const FollowingReport report = following(simulator);
@@ -259,43 +259,42 @@ TEST(FollowingMonitor, GainOfTheControllerIsThatOfTheAxesWithoutOne) {
 TEST(FollowingMonitor, MachineWithoutServosTellsNothing) {
     machine::Machine machine = slides();
     for (machine::Axis& axis : machine.axes) axis.servo.reset();
-    machine.controller.position_gain_1_s = 20;  // for exact stops alone
+    machine.controller.position_loop.gain_1_s = 20;  // for exact stops alone
     Simulator simulator(machine, {});
     feed(simulator, 10, 0, 1);
     const Report report = simulator.finish("part.nc");
     EXPECT_FALSE(report.following);
-    EXPECT_FALSE(simulator.following_setup());
+    EXPECT_FALSE(simulator.monitors().following_setup());
     EXPECT_THAT(to_json(report), Not(HasSubstr("following")));
     EXPECT_THAT(to_text(report), Not(HasSubstr("following")));
 }
 
 TEST(FollowingMonitor, ReportTellsOfIt) {
     Simulator simulator(slides(), {});
-    simulator.add_file("part.nc");
+    simulator.program().files().add("part.nc");
     feed(simulator, 200, 0, 1);
     feed(simulator, 200, 200, 2);
     const Report report = simulator.finish("part.nc");
     EXPECT_THAT(to_json(report), HasSubstr(R"("contour": {
       "error_mm": 1.226)"));
     const std::string text = to_text(report);
-    EXPECT_THAT(text, HasSubstr("following             peak         rms   behind (ms)   peak at\n"
+    EXPECT_THAT(text, HasSubstr("following             peak         rms    delay (ms)   peak at\n"
                                 "X mm                3.3333      2.3373        33.333   part.nc:1\n"));
-    EXPECT_THAT(text, HasSubstr("contour     1.2263 mm at part.nc:2\n"
-                                "            1.2263 mm at part.nc:2, from the programmed way\n"
-                                "in position 0.1936 s behind the end\n"));
+    EXPECT_THAT(text, HasSubstr("contour     1.2263 mm at part.nc:2\n            1.2263 mm at part.nc:2, "
+                                "from the programmed path\nin position 0.1936 s after the end\n"));
 }
 
 TEST(FollowingMonitor, PlotShowsIt) {
     Simulator simulator(slides(), {});
     PlotData data(simulator.machine());
-    data.add_following(simulator.following_setup().value());
+    data.add_following(simulator.monitors().following_setup().value());
     simulator.add_output(data);
     feed(simulator, 200, 0, 1);
     simulator.finish("part.nc");
     const std::string script = plot_script(data, PictureFormat::svg, "part.nc");
     EXPECT_THAT(script, HasSubstr("set ylabel 'following error (mm)' noenhanced"));
     EXPECT_THAT(script, HasSubstr("$following_X << EOD"));
-    EXPECT_THAT(script, HasSubstr("title 'contour error of the tip'"));
+    EXPECT_THAT(script, HasSubstr("title 'contour error of the TCP'"));
     EXPECT_NEAR(data.following(0).back().value, kFed_mm_s / kGain_1_s, 1e-9);
 }
 

@@ -38,7 +38,8 @@ TEST(FollowingMonitor, HalfTheStepChangesNothing) {
         std::mt19937 random(static_cast<unsigned>(program));
         const machine::Machine machine = random_servos(random, program);
         Simulator simulator(machine, {});
-        FollowingMonitor half(simulator.following_setup().value(), dynamics::ServoMotion::kStep_s / 2);
+        FollowingMonitor half(simulator.monitors().following_setup().value(),
+                              dynamics::ServoMotion::kStep_s / 2);
         simulator.add_output(half);
         RandomMoves(random, simulator).make(12);
         const Report report = simulator.finish("random");
@@ -67,7 +68,7 @@ TEST(FollowingMonitor, FromTheProgramItIsNoFartherThanBothTogether) {
         machine::Machine machine = random_servos(random, program);
         machine.controller = machine::built_in_controller(kModels[program % 2]).value();
         Simulator simulator(machine, {});
-        simulator.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
+        simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0.5, 0);
         for (std::uint32_t line = 1; line < 30; ++line)
             feed(simulator, between(random, -20, 20), between(random, -20, 20), line);
         const Report report = simulator.finish("random");

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/controller_file.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "runtime/simulator/simulator.h"
 #include "tests/runtime/simulator/random_program.h"
 #include "tests/runtime/simulator/test_segments.h"
@@ -118,7 +119,7 @@ TEST_P(KeptLimits, AtEachInstantAndOverWindows) {
         const Report report = simulator.finish("p");
         ASSERT_FALSE(report.alarm) << report.alarm->message;
         EXPECT_NEAR(samples.segments_s, report.cycle_time_s, 1e-6 + 1e-9 * report.cycle_time_s);
-        expect_sums(samples, report, simulator.machine().controller.dwell_s);
+        expect_sums(samples, report, simulator.machine().controller.standstill.dwell_s);
         check_samples(samples, make_planner_setup(simulator.machine()));
     }
 }

@@ -18,7 +18,7 @@ constexpr double kG = 9.80665;
 
 std::shared_ptr<const Dynamics> dynamics_of(const std::string& toml) {
     const auto machine = machine::read_machine(toml, "m.toml");
-    EXPECT_TRUE(machine) << machine.error();
+    EXPECT_TRUE(machine) << machine.error().message;
     const auto dynamics_result = make_dynamics(machine.value());
     EXPECT_TRUE(dynamics_result) << dynamics_result.error();
     return dynamics_result.value();
@@ -42,7 +42,7 @@ TEST(MachineDynamics, NoneWithoutTheTable) {
 
 TEST(MachineDynamics, SampleGantryIsItsFigures) {
     const auto machine = machine::load_machine(tests::source_path("samples/machines/gantry-dynamics.toml"));
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     const auto dynamics = make_dynamics(*machine).value();
     const double bridge = 0.16 * 1.6 * 0.22 * 2100;
     // The hose hangs slack at 300 mm above the TCP: 1900 mm up.
@@ -122,13 +122,13 @@ shape = { mesh = "sheet.obj" }
 density_kg_m3 = 7850
 )",
                               "m.toml", os::CallbackFiles([](const std::string&) { return "v 0 0 0\n"; }));
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     const os::CallbackFiles sheet([](const std::string&) { return "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"; });
     const auto dynamics_result = make_dynamics(*machine, {.files = sheet});
     ASSERT_FALSE(dynamics_result);
     EXPECT_EQ(dynamics_result.error(),
-              "the shape 'sheet' of the machine has no mass: sheet.obj: the surface is not closed, so "
-              "that it encloses no mass: an edge at 0 0 0 has a triangle on one side alone");
+              "the shape 'sheet' of the machine has no mass: sheet.obj: the surface is not closed, so it "
+              "encloses no mass: an edge at 0 0 0 has a triangle on one side only");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/kinematics/chain.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/runtime/simulator/posed.h"
 
 namespace gsim::simulation::machine_frames_test {
@@ -14,6 +15,7 @@ using kinematics::pose_from_rpy;
 using rrs::CartPos;
 using rrs::JointPos;
 using rrs::Status;
+using testing::AllOf;
 using testing::HasSubstr;
 
 const CartPos kDistanceFactors = pose_from_rpy({.x_mm = 12, .y_mm = -7, .z_mm = -45, .roll_rad = 0.3});
@@ -71,7 +73,7 @@ TEST_P(MachineFrames, AnotherToolReachesTargetsWithItsOwnTip) {
         ASSERT_LT((step.pose.translation() - tcp).norm(), 1e-9);
         const Vector3d gone = tcp - from.translation();
         ASSERT_LT((gone - displacement * displacement.dot(gone)).norm(),
-                  robot.setup.controller.tcp_tolerance_mm);
+                  robot.setup.controller.coordination.tcp_tolerance_mm);
     }
     EXPECT_TRUE(tool_in_world(robot, step.joints).isApprox(tool_in_world(robot, expected_value), 1e-6));
 }
@@ -158,7 +160,8 @@ TEST(MachineFrames, OthersOfTheMachineAndWhatIsNoPoseAreRefused) {
     for (const char* name : {"X", "world", "work"}) {
         EXPECT_EQ(robot.planner.ModifyCellFrame(name, kDistanceFactors), Status::RRS_INVALID_PARAMETER)
             << name;
-        EXPECT_THAT(robot.message(), HasSubstr("'tool' and 'base' alone"));
+        EXPECT_THAT(robot.message(),
+                    AllOf(HasSubstr("'" + std::string(name) + "'"), HasSubstr("only 'tool' and 'base'")));
     }
     CartPos bent = kDistanceFactors;
     bent.linear()(0, 0) += 0.1;
@@ -191,7 +194,7 @@ TEST(MachineFrames, AreNotChangedAmongStopsOfAMotion) {
     ASSERT_EQ(robot.planner.ContinueMotion(), Status::RRS_SUCCESS);
     ASSERT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere * file_base(robot)), Status::RRS_SUCCESS);
     EXPECT_EQ(robot.planner.StopMotion(), Status::RRS_MODE_NOT_SUPPORTED);
-    EXPECT_THAT(robot.message(), HasSubstr("has been changed behind the motion under way"));
+    EXPECT_THAT(robot.message(), HasSubstr("'tool' or 'base' has been changed after the current motion"));
     Posed::Step step = robot.step();
     while (step.status == Status::RRS_SUCCESS) step = robot.step();
     EXPECT_TRUE(step.pose.isApprox(target, 1e-9));
@@ -227,19 +230,19 @@ TEST(MachineFrames, TipControlIsOfTheChangedTip) {
     const auto kinematics = machine::make_kinematics(machine);
     LineMove move;
     move.kind = MoveKind::rapid;
-    move.target = simulator.position();
+    move.target = simulator.position().axes();
     move.target.head(3) += Vector3d(600, 600, 300);
-    ASSERT_TRUE(simulator.move(move));
-    ASSERT_TRUE(simulator.set_tcp_control(Vector3d(0, 0, 0), {}));
+    ASSERT_TRUE(simulator.moves().enqueue(move));
+    ASSERT_TRUE(simulator.tcp_control().set(Vector3d(0, 0, 0), {}));
     const CartPos shift = pose_from_rpy({.z_mm = -60});
-    ASSERT_EQ(simulator.modify_cell_frame("tool", kinematics->chain().tool_side().end * shift),
+    ASSERT_EQ(simulator.cell().modify_frame("tool", kinematics->chain().tool_side().end * shift),
               Status::RRS_SUCCESS);
-    EXPECT_TRUE(simulator.position().isApprox(move.target, 1e-9)) << simulator.position();
-    const CartPos before = kinematics->forward(simulator.joints()) * shift;
+    EXPECT_TRUE(simulator.position().axes().isApprox(move.target, 1e-9)) << simulator.position().axes();
+    const CartPos before = kinematics->forward(simulator.motion().source().position()) * shift;
     move.target[3] += 40;
     move.target[4] += 30;
-    ASSERT_TRUE(simulator.move(move)) << simulator.alarm()->message;
-    const CartPos after = kinematics->forward(simulator.joints()) * shift;
+    ASSERT_TRUE(simulator.moves().enqueue(move)) << simulator.outcome().alarm()->message;
+    const CartPos after = kinematics->forward(simulator.motion().source().position()) * shift;
     EXPECT_GT((after.linear() - before.linear()).norm(), 0.1);
     EXPECT_LT((after.translation() - before.translation()).norm(), 1e-6);
 }

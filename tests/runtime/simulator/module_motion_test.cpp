@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/rcs/rcs_machine.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "runtime/simulator/simulator.h"
 #include "tests/build_files/build_files.h"
 #include "tests/controller/test_module.h"
@@ -30,7 +31,7 @@ rrs::RcsModule module_of(HostProcess location, const std::string& path, const ma
     if (location == HostProcess::separate_process)
         return rrs::start_rcs_process(tests::program_path("gsim-rcs-host"), path, described.get()).value();
     auto library = rrs::RcsLibrary::load(path, described.get());
-    if (!library) throw std::runtime_error(library.error());
+    if (!library) throw std::runtime_error(library.error().message);
     return rrs::RcsModule::create(*library, described.get()).value();
 }
 
@@ -74,9 +75,9 @@ class SmallModule : public testing::TestWithParam<HostProcess> {
 
 // The module moves at the programmed speed from the first instant to the last.
 TEST_P(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
-    simulator.move(line_to(300, 400));  // 500 mm at 100 mm/s
-    simulator.dwell(2.5, {});
-    simulator.move(line_to(300, 100, MoveKind::rapid));  // 300 mm at the machine's rapid speed
+    simulator.moves().enqueue(line_to(300, 400));  // 500 mm at 100 mm/s
+    simulator.dwells().enqueue(2.5, {});
+    simulator.moves().enqueue(line_to(300, 100, MoveKind::rapid));  // 300 mm at the machine's rapid speed
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::completed);
     const double rapid_s = 300 / kRapid_mm_s;
@@ -95,7 +96,7 @@ TEST_P(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
 // belongs.
 TEST_P(SmallModule, EachMoveGetsItsOwnSteps) {
     constexpr int kMoves = 50;
-    for (int i = 1; i <= kMoves; ++i) ASSERT_TRUE(simulator.move(line_to(10.0 * i, 0)));
+    for (int i = 1; i <= kMoves; ++i) ASSERT_TRUE(simulator.moves().enqueue(line_to(10.0 * i, 0)));
     simulator.finish("p");
     ASSERT_EQ(list.moves.size(), static_cast<std::size_t>(kMoves));
     for (int i = 0; i < kMoves; ++i) {
@@ -112,16 +113,17 @@ TEST_P(SmallModule, MissingServiceEndsTheRunWithItsName) {
     arc.center_mm[0] = 10;
     arc.sweep_rad = 1;
     arc.feed.linear_mm_min = 600;
-    EXPECT_FALSE(simulator.move(arc));
-    EXPECT_EQ(simulator.alarm()->message, "small_module.so does not offer the service SetNextArcTarget.");
+    EXPECT_FALSE(simulator.moves().enqueue(arc));
+    EXPECT_EQ(simulator.outcome().alarm()->message,
+              "small_module.so does not support the service SetNextArcTarget.");
 }
 
 TEST_P(SmallModule, PathModesItLacksAreAWarning) {
-    simulator.set_path_mode(rrs::PathMode::continuous, 0, 0);
-    simulator.move(line_to(10, 0));
+    simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0, 0);
+    simulator.moves().enqueue(line_to(10, 0));
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::completed);
-    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("has no path modes")));
+    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("does not support path modes (G61, G64)")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, SmallModule, rrs::both_places(), rrs::place_name);
@@ -137,17 +139,20 @@ INSTANTIATE_TEST_SUITE_P(Places, Modules, rrs::both_places(), rrs::place_name);
 
 std::string to_alarm(rrs::RcsModule module, RunLimits limits = {}) {
     Simulator simulator(fast_machine(), limits, std::move(module));
-    simulator.move(line_to(10, 0));
+    simulator.moves().enqueue(line_to(10, 0));
     simulator.finish("p");
-    return simulator.alarm() ? simulator.alarm()->message : "";
+    return simulator.outcome().alarm() ? simulator.outcome().alarm()->message : "";
 }
 
 TEST_P(Modules, FaultsEndTheRunAndNameModuleAndService) {
-    EXPECT_THAT(to_alarm(test_module("nan_answer")),
-                StartsWith("The controller module nan_answer.so answered GetNextStep with the value nan"));
-    EXPECT_THAT(to_alarm(test_module("backwards")), HasSubstr("a time that runs backwards"));
-    EXPECT_EQ(to_alarm(test_module("jump")),
-              "The controller module jump.so answered GetNextStep with a jump: a joint moved in no time.");
+    EXPECT_THAT(
+        to_alarm(test_module("nan_answer")),
+        StartsWith("The controller module nan_answer.so responded to GetNextStep with the value nan"));
+    EXPECT_THAT(to_alarm(test_module("backwards")),
+                HasSubstr("GetNextStep with a time that decreases by 0.001 s"));
+    EXPECT_EQ(
+        to_alarm(test_module("jump")),
+        "The controller module jump.so responded to GetNextStep with a jump: a joint moved in no time.");
     EXPECT_THAT(to_alarm(test_module("never_arrives")),
                 StartsWith("The controller module never_arrives.so has not moved for 600"));
     EXPECT_EQ(to_alarm(test_module("small_module")), "");
@@ -163,7 +168,7 @@ TEST(ModuleProcess, ACrashEndsTheRunWithWhatWasMovedBefore) {
     for (std::uint32_t line = 1; line <= 50 && continues; ++line) {
         LineMove move = line_to(line, 0);  // 1 mm at 100 mm/s
         move.location.line = line;
-        continues = simulator.move(move);
+        continues = simulator.moves().enqueue(move);
     }
     EXPECT_FALSE(continues);
     const Report report = simulator.finish("p");
@@ -181,7 +186,7 @@ TEST(ModuleProcess, WhatTheModuleSpendsIsTimeOfTheRun) {
                         test_module(HostProcess::separate_process, "spends_time"));
     bool continues = true;
     for (int i = 1; i <= 1000 && continues; ++i)
-        continues = simulator.count_block({}) && simulator.move(line_to(i, 0));
+        continues = simulator.outcome().count_block({}) && simulator.moves().enqueue(line_to(i, 0));
     EXPECT_FALSE(continues);
     EXPECT_THAT(simulator.finish("p").alarm->message, HasSubstr("of processor time is reached"));
 }
@@ -191,7 +196,7 @@ TEST_P(Modules, AStepPastARangeIsAViolation) {
     Simulator simulator(fast_machine(), {}, test_module("overshoots"));
     LineMove move = line_to(10, 0);
     move.location.line = 7;
-    EXPECT_TRUE(simulator.move(move));
+    EXPECT_TRUE(simulator.moves().enqueue(move));
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::violations);
     ASSERT_EQ(report.violations.list.size(), 1U);
@@ -209,7 +214,7 @@ TEST_P(Modules, AStepPastARangeIsAViolation) {
 TEST_P(Modules, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
     Simulator simulator(fast_machine(), {.stop_at_first = true}, test_module("overshoots"));
     bool continues = true;
-    for (int i = 1; i <= 50 && continues; ++i) continues = simulator.move(line_to(10.0 * i, 0));
+    for (int i = 1; i <= 50 && continues; ++i) continues = simulator.moves().enqueue(line_to(10.0 * i, 0));
     EXPECT_FALSE(continues) << "as soon as it is known";
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::alarm);
@@ -221,10 +226,10 @@ TEST_P(Modules, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
 TEST_P(Modules, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
     const double excess_mm = fast_machine().axes[0].max + 10;
     Simulator stops(fast_machine(), {.stop_at_first = true}, test_module("small_module"));
-    EXPECT_FALSE(stops.move(line_to(excess_mm, 0)));
+    EXPECT_FALSE(stops.moves().enqueue(line_to(excess_mm, 0)));
     EXPECT_EQ(stops.finish("p").status, RunStatus::alarm);
     Simulator continues(fast_machine(), {}, test_module("small_module"));
-    EXPECT_TRUE(continues.move(line_to(excess_mm, 0)));
+    EXPECT_TRUE(continues.moves().enqueue(line_to(excess_mm, 0)));
     const Report report = continues.finish("p");
     EXPECT_EQ(report.status, RunStatus::violations);
     EXPECT_EQ(report.violations.count, 1U) << "the target says it, so that its steps need not";
@@ -232,14 +237,14 @@ TEST_P(Modules, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
 
 TEST_P(Modules, RapidsNeedTheirService) {
     Simulator simulator(fast_machine(), {}, test_module("no_rapid"));
-    EXPECT_TRUE(simulator.move(line_to(10, 0)));
-    EXPECT_FALSE(simulator.move(line_to(0, 0, MoveKind::rapid)));
-    EXPECT_EQ(simulator.alarm()->message, "no_rapid.so does not offer the service SetRapid.");
+    EXPECT_TRUE(simulator.moves().enqueue(line_to(10, 0)));
+    EXPECT_FALSE(simulator.moves().enqueue(line_to(0, 0, MoveKind::rapid)));
+    EXPECT_EQ(simulator.outcome().alarm()->message, "no_rapid.so does not support the service SetRapid.");
 }
 
 TEST_P(Modules, LimitOfMachineTimeHolds) {
     Simulator simulator(fast_machine(), {.max_time_s = 3}, test_module("small_module"));
-    simulator.move(line_to(500, 0));
+    simulator.moves().enqueue(line_to(500, 0));
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::stopped);
     EXPECT_NEAR(report.cycle_time_s, 3, 0.1);
@@ -249,11 +254,12 @@ TEST_P(Modules, LimitOfMachineTimeHolds) {
 class DefaultModule : public testing::TestWithParam<std::tuple<rrs::PlannerKind, HostProcess>> {};
 
 void put_program(Simulator& simulator) {
-    simulator.set_path_mode(rrs::PathMode::continuous, 0.05, 0);
+    simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0.05, 0);
     for (int i = 1; i <= 200; ++i)
-        ASSERT_TRUE(simulator.move(line_to(200 + 100 * std::cos(0.1 * i), 200 + 100 * std::sin(0.1 * i))));
-    simulator.dwell(0.5, {});
-    simulator.move(line_to(0, 0, MoveKind::rapid));
+        ASSERT_TRUE(
+            simulator.moves().enqueue(line_to(200 + 100 * std::cos(0.1 * i), 200 + 100 * std::sin(0.1 * i))));
+    simulator.dwells().enqueue(0.5, {});
+    simulator.moves().enqueue(line_to(0, 0, MoveKind::rapid));
     ArcMove arc;
     arc.kind = MoveKind::arc_cw;
     arc.target = AxisVector::Zero(5);
@@ -261,15 +267,15 @@ void put_program(Simulator& simulator) {
     arc.center_mm[0] = 100;
     arc.sweep_rad = std::numbers::pi;
     arc.feed.linear_mm_min = 6000;
-    simulator.move(arc);
-    simulator.event("m", "08", {});
+    simulator.moves().enqueue(arc);
+    simulator.events().add("m", "08", {});
 }
 
 TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
     machine::Machine machine = af5();
     const auto& [kind, location] = GetParam();
     machine.controller.planner = kind;
-    machine.controller.dwell_s = 0.01;
+    machine.controller.standstill.dwell_s = 0.01;
     Simulator in_process(machine, {});
     Simulator stepped(machine, {}, module_of(location, tests::default_module_path(), machine));
     put_program(in_process);

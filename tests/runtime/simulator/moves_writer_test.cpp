@@ -32,7 +32,7 @@ RecordedMove move(MoveKind kind) {
     move.info.feed_per_min = 6350;
     move.start_s = 1.5;
     move.end_s = 4;
-    move.limited_by = motion::LimitedBy{motion::LimitKind::joint_speed, 3};
+    move.limited_by = motion::LimitCause{motion::LimitKind::joint_speed, 3};
     move.end = joints(100, -0.0, 1.0 / 3, std::numbers::pi / 2, -1e-15);
     return move;
 }

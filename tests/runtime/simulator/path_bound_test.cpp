@@ -48,7 +48,7 @@ machine::Machine wide_af5() {
 
 machine::Machine looking_ahead(machine::Machine machine, rrs::CornerRule corner) {
     machine.controller.planner = rrs::PlannerKind::look_ahead;
-    machine.controller.corner = machine.controller.exact_path_corner = corner;
+    machine.controller.corners.continuous = machine.controller.corners.exact_path = corner;
     return machine;
 }
 
@@ -79,14 +79,15 @@ TEST(PathBound, ALineFromRestToRestTakesItsBound) {
         const double feed = std::pow(10, decades(random));
         const AxisVector target = at(mm(random), mm(random), mm(random));
         const MoveKind kind = i % 2 == 0 ? MoveKind::linear : MoveKind::rapid;
-        const Times times = run(machine, [&](Simulator& s) { s.move(to(target, feed, kind)); });
+        const Times times = run(machine, [&](Simulator& s) { s.moves().enqueue(to(target, feed, kind)); });
         EXPECT_NEAR(times.bound_s, times.cycle_s, 1e-9 * times.cycle_s) << target.transpose();
     }
 }
 
 TEST(PathBound, CornersCostNothing) {
     const Times times = run(af5(), [](Simulator& s) {
-        for (const AxisVector& target : {at(100, 0), at(100, 80), at(30, 80)}) s.move(to(target, 6000));
+        for (const AxisVector& target : {at(100, 0), at(100, 80), at(30, 80)})
+            s.moves().enqueue(to(target, 6000));
     });
     EXPECT_NEAR(times.bound_s, trapezoid_s(100 + 80 + 70, 100, kAcceleration), 1e-9);
     EXPECT_GT(times.cycle_s, times.bound_s);
@@ -95,17 +96,17 @@ TEST(PathBound, CornersCostNothing) {
 TEST(PathBound, AControllerThatStopsNowhereOnALineTakesTheBound) {
     const auto machine = looking_ahead(af5(), rrs::CornerRule::velocity_step);
     const Times times = run(machine, [](Simulator& s) {
-        s.set_path_mode(rrs::PathMode::continuous, 0, 0);
-        for (int i = 1; i <= 50; ++i) s.move(to(at(7 * i, 9 * i), i < 25 ? 3000 : 9000));
+        s.program().settings().set_path_mode(rrs::PathMode::continuous, 0, 0);
+        for (int i = 1; i <= 50; ++i) s.moves().enqueue(to(at(7 * i, 9 * i), i < 25 ? 3000 : 9000));
     });
     EXPECT_NEAR(times.bound_s, times.cycle_s, 1e-9);
 }
 
 TEST(PathBound, ADwellTakesItsTimeAtRest) {
     const Times times = run(af5(), [](Simulator& s) {
-        s.move(to(at(100, 0), 6000));
-        s.dwell(2.5, {});
-        s.move(to(at(200, 0), 6000));
+        s.moves().enqueue(to(at(100, 0), 6000));
+        s.dwells().enqueue(2.5, {});
+        s.moves().enqueue(to(at(200, 0), 6000));
     });
     EXPECT_NEAR(times.bound_s, 2.5 + 2 * trapezoid_s(100, 100, kAcceleration), 1e-9);
     EXPECT_NEAR(times.bound_s, times.cycle_s, 1e-9);
@@ -113,28 +114,28 @@ TEST(PathBound, ADwellTakesItsTimeAtRest) {
 
 TEST(PathBound, WhatAControllerRestsByItselfIsNotTheProgramsTime) {
     machine::Machine machine = looking_ahead(af5(), rrs::CornerRule::stop);
-    machine.controller.settle_s = 3;
+    machine.controller.position_loop.settle_s = 3;
     const Times times = run(machine, [](Simulator& s) {
-        s.set_path_mode(rrs::PathMode::exact_stop, 0, 0);
-        s.move(to(at(100, 0), 6000));
+        s.program().settings().set_path_mode(rrs::PathMode::exact_stop, 0, 0);
+        s.moves().enqueue(to(at(100, 0), 6000));
     });
     EXPECT_NEAR(times.bound_s, trapezoid_s(100, 100, kAcceleration), 1e-9);
     EXPECT_NEAR(times.cycle_s, times.bound_s + 3, 1e-9);
 }
 
 TEST(PathBound, RotaryAxesAloneGoByDegrees) {
-    const Times times = run(af5(), [](Simulator& s) { s.move(to(at(0, 0, 0, 90, 0), 600)); });
+    const Times times = run(af5(), [](Simulator& s) { s.moves().enqueue(to(at(0, 0, 0, 90, 0), 600)); });
     EXPECT_NEAR(times.bound_s, trapezoid_s(90, 10, 20), 1e-9);
     machine::Machine slow = af5();
     slow.path.max_feed_mm_s = 1e-3;
-    const Times same = run(slow, [](Simulator& s) { s.move(to(at(0, 0, 0, 90, 0), 600)); });
+    const Times same = run(slow, [](Simulator& s) { s.moves().enqueue(to(at(0, 0, 0, 90, 0), 600)); });
     EXPECT_NEAR(same.bound_s, times.bound_s, 1e-9);
 }
 
 TEST(PathBound, AProgrammedTimeIsNoLimit) {
     LineMove move = to(at(100, 0), 0);
     move.feed = {0, 0, 10.0};
-    const Times times = run(af5(), [&](Simulator& s) { s.move(move); });
+    const Times times = run(af5(), [&](Simulator& s) { s.moves().enqueue(move); });
     EXPECT_NEAR(times.cycle_s, 10, 1e-9);
     EXPECT_NEAR(times.bound_s, trapezoid_s(100, kMaxFeed, kAcceleration), 1e-9);
 }
@@ -142,15 +143,15 @@ TEST(PathBound, AProgrammedTimeIsNoLimit) {
 // 10 mm and 90 deg: the rotary axis, which moves by its own law, takes 4.24 s.
 TEST(PathBound, AJointWithALawOfItsOwnDoesNotCount) {
     machine::Machine machine = af5();
-    machine.controller.independent_ramps = true;
-    const Times times = run(machine, [](Simulator& s) { s.move(to(at(10, 0, 0, 90), 6000)); });
+    machine.controller.coordination.independent_ramps = true;
+    const Times times = run(machine, [](Simulator& s) { s.moves().enqueue(to(at(10, 0, 0, 90), 6000)); });
     EXPECT_NEAR(times.bound_s, trapezoid_s(10, 100, kAcceleration), 1e-9);
     EXPECT_GT(times.cycle_s, 4);
 }
 
 TEST(PathBound, JointsInProportionCount) {
     for (const auto& machine : {af5(), looking_ahead(af5(), rrs::CornerRule::stop)}) {
-        const Times times = run(machine, [](Simulator& s) { s.move(to(at(10, 0, 0, 90), 6000)); });
+        const Times times = run(machine, [](Simulator& s) { s.moves().enqueue(to(at(10, 0, 0, 90), 6000)); });
         EXPECT_NEAR(times.bound_s, trapezoid_s(90, 90, 20), 1e-9);
         EXPECT_NEAR(times.bound_s, times.cycle_s, 1e-9);
     }
@@ -162,7 +163,7 @@ TEST(PathBound, AnArcWithinTheLimitsCountsByItsShape) {
     const double fastest = std::sqrt(std::sqrt(2.0) * kAcceleration * kRadius_mm);
     const double min_s = 2 * kPi * kRadius_mm / fastest;
     const auto machine = looking_ahead(wide_af5(), rrs::CornerRule::stop);
-    const auto program = [](Simulator& s) { s.move(circle(kRadius_mm, 60 * kMaxFeed)); };
+    const auto program = [](Simulator& s) { s.moves().enqueue(circle(kRadius_mm, 60 * kMaxFeed)); };
     const Times kept = run(machine, program);
     EXPECT_GT(kept.bound_s, min_s);
     EXPECT_LT(kept.bound_s, kept.cycle_s);
@@ -196,8 +197,8 @@ TEST(PathBound, TwoMotionsAtOnceCountNothing) {
 
 TEST(PathBound, AnOverrideOfTheFeedCounts) {
     const Times times = run(af5(), [](Simulator& s) {
-        s.shell().SetOverrideSpeed(150);
-        s.move(to(at(200, 0), 6000));
+        s.services().shell().SetOverrideSpeed(150);
+        s.moves().enqueue(to(at(200, 0), 6000));
     });
     EXPECT_NEAR(times.bound_s, times.cycle_s, 1e-9);
     EXPECT_NEAR(times.cycle_s, trapezoid_s(200, 150, kAcceleration), 1e-9);
@@ -208,8 +209,8 @@ TEST(PathBound, AMachineWithoutLimitsAndNoMotion) {
     EXPECT_EQ(none.bound_s, 0);
     machine::Machine machine = unlimited(af5());
     const Times times = run(machine, [](Simulator& s) {
-        s.move(to(at(100, 0), 6000));
-        s.move(circle_at(s, 10, 6000));
+        s.moves().enqueue(to(at(100, 0), 6000));
+        s.moves().enqueue(circle_at(s, 10, 6000));
     });
     EXPECT_NEAR(times.bound_s, (100 + 20 * kPi) / 100, 1e-6);
     EXPECT_NEAR(times.cycle_s, times.bound_s, 1e-6);
@@ -220,14 +221,14 @@ TEST(PathBound, NeverAboveAlongGreatCircles) {
     for (int i = 0; i < 20; ++i) {
         machine::Machine machine = random_machine(random, af5());
         if (i % 2 == 0) machine = looking_ahead(machine, rrs::CornerRule::velocity_step);
-        machine.controller.orientation = rrs::OrientationRule::great_circle;
+        machine.controller.coordination.orientation = rrs::OrientationRule::great_circle;
         const Times times = run(machine, [&](Simulator& s) {
-            s.move(to(at(0, 0, 0, 0, 10), 3000));
+            s.moves().enqueue(to(at(0, 0, 0, 0, 10), 3000));
             for (int k = 0; k < 20; ++k) {
                 AxisVector target = at(between(random, 0, 200), between(random, 0, 200), 0,
                                        between(random, -80, 80), between(random, 5, 85));
-                if (k % 3 == 0) target.head<3>() = s.position().head<3>();
-                s.move(to(target, 3000, k % 5 == 0 ? MoveKind::rapid : MoveKind::linear));
+                if (k % 3 == 0) target.head<3>() = s.position().axes().head<3>();
+                s.moves().enqueue(to(target, 3000, k % 5 == 0 ? MoveKind::rapid : MoveKind::linear));
             }
         });
         EXPECT_LE(times.bound_s, times.cycle_s * (1 + 1e-9)) << i;
@@ -251,12 +252,12 @@ TEST_P(NeverAbove, TheCycleTimeOfARandomProgram) {
     for (int i = 0; i < 60; ++i) {
         machine::Machine machine = random_machine(random, af5());
         machine.controller.planner = GetParam().planner;
-        machine.controller.corner = machine.controller.exact_path_corner = GetParam().corner;
-        machine.controller.limit_jerk = GetParam().limit_jerk;
-        machine.controller.arc_chord_tolerance_mm = GetParam().chord_tolerance_mm;
-        machine.controller.look_ahead_blocks = 1 + random() % 30;
-        machine.controller.stop_between_rapid_and_feed = random() % 2 == 0;
-        machine.controller.centripetal_share = random() % 4 == 0 ? motion::kUnlimited : 0.866;
+        machine.controller.corners.continuous = machine.controller.corners.exact_path = GetParam().corner;
+        machine.controller.ramps.limit_jerk = GetParam().limit_jerk;
+        machine.controller.curves.arc_chord_tolerance_mm = GetParam().chord_tolerance_mm;
+        machine.controller.blocks.look_ahead = 1 + random() % 30;
+        machine.controller.corners.stop_between_rapid_and_feed = random() % 2 == 0;
+        machine.controller.ramps.centripetal_share = random() % 4 == 0 ? motion::kUnlimited : 0.866;
         const Times times = run(machine, [&](Simulator& s) { make_random_moves(random, s, 25); });
         EXPECT_LE(times.bound_s, times.cycle_s * (1 + 1e-9)) << i;
         EXPECT_GT(times.bound_s, 0) << i;

@@ -205,12 +205,12 @@ TEST(PlotData, SideViewsShowWhatIsUpwards) {
 
 TEST(PlotData, ASideViewNeedsItsAxes) {
     machine::Machine machine = af5();
-    EXPECT_EQ(PlotData::missing_axes_error(machine, Plane::yz), std::nullopt);
+    EXPECT_EQ(PlotData::find_missing_axes_error(machine, Plane::yz), std::nullopt);
     machine.axes.erase(machine.axes.begin() + 1);
     machine.name = "lathe";
-    EXPECT_EQ(PlotData::missing_axes_error(machine, Plane::zx), std::nullopt);
-    EXPECT_EQ(PlotData::missing_axes_error(machine, Plane::yz),
-              "--plot-plane yz needs the axes Y and Z, which the machine 'lathe' has not");
+    EXPECT_EQ(PlotData::find_missing_axes_error(machine, Plane::zx), std::nullopt);
+    EXPECT_EQ(PlotData::find_missing_axes_error(machine, Plane::yz),
+              "--plot-plane yz needs the axes Y and Z, which the machine 'lathe' does not have");
 }
 
 TEST(PlotData, MachineWithoutXAndY) {

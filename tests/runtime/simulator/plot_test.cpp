@@ -37,7 +37,7 @@ class PlotTest : public testing::Test {
         std::ifstream file(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    tl::expected<void, std::string> draw(const fs::path& path, std::string_view title) const {
+    Result<void> draw(const fs::path& path, std::string_view title) const {
         return Picture::picture_for_file(path).and_then([&](const Picture& picture) {
             const auto format = picture.bitmap() ? PictureFormat::png : PictureFormat::svg;
             return picture.draw(plot_script(data, format, title));
@@ -59,10 +59,10 @@ TEST_F(PlotTest, DrawsPngAndSvg) {
     if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
     draw_something();
     const auto png = draw(folder / "a b.png", "it's `a` \"title\" \\ $x\n{/*2 y}");
-    ASSERT_TRUE(png) << png.error();
+    ASSERT_TRUE(png) << png.error().message;
     EXPECT_THAT(content(folder / "a b.png"), StartsWith("\x89PNG"));
     const auto svg = draw(folder / "a.svg", "it's `a` title");
-    ASSERT_TRUE(svg) << svg.error();
+    ASSERT_TRUE(svg) << svg.error().message;
     EXPECT_THAT(content(folder / "a.svg"), HasSubstr("it's `a` title"));
     EXPECT_THAT(content(folder / "a.svg"), HasSubstr("</svg>"));
 }
@@ -71,7 +71,7 @@ TEST_F(PlotTest, DrawsARunWithoutAMove) {
     if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
     data.begin(joints(0, 0));
     const auto drawn = draw(folder / "a.png", "");
-    EXPECT_TRUE(drawn) << drawn.error();
+    EXPECT_TRUE(drawn) << drawn.error().message;
 }
 
 TEST_F(PlotTest, EachStyleHasItsCurve) {
@@ -110,13 +110,13 @@ TEST_F(PlotTest, FeedAndLimitAreDrawnWhereTheyAreNear) {
 }
 
 TEST_F(PlotTest, NameWithoutAKnownEnding) {
-    EXPECT_EQ(Picture::picture_for_file("a.pdf").error(),
-              "cannot draw 'a.pdf': a picture's name ends in .svg or .png");
+    EXPECT_EQ(Picture::picture_for_file("a.pdf").error().message,
+              "cannot draw 'a.pdf': the name of a picture must end in .svg or .png");
 }
 
 TEST_F(PlotTest, FolderThatIsNotThere) {
     const std::string name = (folder / "no" / "a.png").string();
-    EXPECT_EQ(Picture::picture_for_file(name).error(),
+    EXPECT_EQ(Picture::picture_for_file(name).error().message,
               "cannot write '" + name + "': No such file or directory");
 }
 
@@ -174,11 +174,12 @@ TEST_F(PlotTest, PiercesCollisionsAndTheAlarmAreMarked) {
 
 TEST(ChildProcess, ErrorsAreSentences) {
     std::FILE* null = std::fopen("/dev/null", "r+");
-    EXPECT_EQ(os::run_child({"no-such-program"}, null, null).error(),
+    EXPECT_EQ(os::run_child({"no-such-program"}, null, null).error().message,
               "cannot run no-such-program: No such file or directory");
-    EXPECT_EQ(os::run_child({"sh", "-c", "echo; echo why >&2; exit 3"}, null, null).error(),
+    EXPECT_EQ(os::run_child({"sh", "-c", "echo; echo why >&2; exit 3"}, null, null).error().message,
               "sh failed: why");
-    EXPECT_EQ(os::run_child({"sh", "-c", "kill -9 $$"}, null, null).error(), "sh was ended by signal 9");
+    EXPECT_EQ(os::run_child({"sh", "-c", "kill -9 $$"}, null, null).error().message,
+              "sh was terminated by signal 9");
     std::fclose(null);
 }
 

@@ -10,7 +10,7 @@
 #include "motion/kinematics/pose.h"
 #include "motion/services/default_planner.h"
 #include "runtime/monitors/cell_monitor.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::simulation {

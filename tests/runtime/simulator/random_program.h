@@ -74,9 +74,9 @@ inline Eigen::Vector3d random_direction(std::mt19937& random) {
 /// Returns a full circle from the machine's position.
 inline ArcMove circle_at(const Simulator& simulator, double radius_mm, double feed_mm_min) {
     ArcMove move;
-    move.center_mm = {simulator.position()[0] + radius_mm, simulator.position()[1], 0};
+    move.center_mm = {simulator.position().axes()[0] + radius_mm, simulator.position().axes()[1], 0};
     move.sweep_rad = 2 * std::numbers::pi;
-    move.target = simulator.position();
+    move.target = simulator.position().axes();
     move.feed.linear_mm_min = feed_mm_min;
     return move;
 }
@@ -92,8 +92,11 @@ class RandomMoves {
   private:
     void make_one() {
         switch (random_() % 12) {
-            case 0: simulator_.dwell(between(random_, 0, 0.2), {}); break;
-            case 1: simulator_.set_path_mode(static_cast<rrs::PathMode>(random_() % 3), 0, 0); break;
+            case 0: simulator_.dwells().enqueue(between(random_, 0, 0.2), {}); break;
+            case 1:
+                simulator_.program().settings().set_path_mode(static_cast<rrs::PathMode>(random_() % 3), 0,
+                                                              0);
+                break;
             case 2: line(MoveKind::rapid, any_axis()); break;
             case 3: line(MoveKind::linear, {3, 4}); break;
             case 4: line(MoveKind::rapid, {3, 4}); break;
@@ -114,7 +117,7 @@ class RandomMoves {
 
     AxisVector target(Axes axes) {
         const double size = around(random_, 10, 1.5);
-        AxisVector target = simulator_.position();
+        AxisVector target = simulator_.position().axes();
         for (int axis = axes.first; axis <= axes.last; ++axis) {
             if (random_() % 3 != 0) target[axis] += between(random_, -size, size);
         }
@@ -128,7 +131,8 @@ class RandomMoves {
     }
 
     void line(MoveKind kind, Axes axes) {
-        simulator_.move(LineMove{.kind = kind, .target = target(axes), .feed = feed(), .location = {}});
+        simulator_.moves().enqueue(
+            LineMove{.kind = kind, .target = target(axes), .feed = feed(), .location = {}});
     }
 
     // In one of the planes or an oblique one, with travel along its normal and of the rotary axes in some.
@@ -140,7 +144,7 @@ class RandomMoves {
         const double radius = around(random_, 20, 1);
         const Eigen::Vector3d out = random_direction(random_).cross(move.normal).normalized();
         move.sweep_rad = between(random_, 0.05, 8);
-        const AxisVector start = simulator_.position();
+        const AxisVector start = simulator_.position().axes();
         move.center_mm = start.head<3>() - radius * out;
         const Eigen::Vector3d ahead = move.axis().cross(out);
         move.target = start;
@@ -149,20 +153,20 @@ class RandomMoves {
         if (random_() % 2 == 0) move.target.head<3>() += between(random_, -3, 3) * radius * move.normal;
         if (random_() % 4 == 0) move.target[3] += between(random_, -20, 20);
         move.feed = feed();
-        simulator_.move(move);
+        simulator_.moves().enqueue(move);
     }
 
     void via() {
         ViaMove move;
         move.via = target({0, 2});
-        move.target = simulator_.position();
+        move.target = simulator_.position().axes();
         const double size = (move.via - move.target).norm() + 1;
         for (int axis = 0; axis < 3; ++axis) {
             move.via[axis] += between(random_, 0.1, 1) * size;
             move.target[axis] += between(random_, -1, -0.1) * size;
         }
         move.feed = feed();
-        simulator_.move(move);
+        simulator_.moves().enqueue(move);
     }
 
     std::mt19937& random_;

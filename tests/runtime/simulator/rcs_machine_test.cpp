@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::simulation::rcs_machine_test {
@@ -32,7 +32,7 @@ TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
         const motion::PlannerSetup setup = make_planner_setup(machine);
         const rcs::RcsMachine described(setup);
         const auto reported = rcs::setup_from_rcs_machine(described.get());
-        ASSERT_TRUE(reported) << name << ": " << reported.error();
+        ASSERT_TRUE(reported) << name << ": " << reported.error().message;
         ASSERT_EQ(reported->kinematics->inverse_kind(), setup.kinematics->inverse_kind()) << name;
         for (int i = 0; i < 100; ++i) {
             const rrs::JointPos q = random_joints(setup, random);
@@ -52,8 +52,8 @@ TEST(RcsMachine, RowsAreNumberedFromZeroUp) {
     gsim_rcs_machine described = rcs::RcsMachine(setup).get();
     described.parameter_count = 0;
     described.joints[1].row = 0;
-    EXPECT_EQ(rcs::setup_from_rcs_machine(described).error(),
-              "The rows of the joints are not numbered from 0 up.");
+    EXPECT_EQ(rcs::setup_from_rcs_machine(described).error().message,
+              "The rows of the joints must be numbered from 0 up.");
     described.joints[1].row = 7;
     EXPECT_FALSE(rcs::setup_from_rcs_machine(described));
 }

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/services/default_planner.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/runtime/simulator/test_segments.h"
 
 namespace gsim::simulation::recorder_test {
@@ -124,7 +124,7 @@ TEST_F(RecorderTest, SegmentThatNobodyExpectsCountsInTimeAlone) {
 
 TEST_F(RecorderTest, AMoveIsLimitedByWhatLimitsItsLongestSegment) {
     using motion::LimitKind;
-    const auto on_segment = [&](double start_s, double x0, double x1, motion::LimitedBy limited_by) {
+    const auto on_segment = [&](double start_s, double x0, double x1, motion::LimitCause limited_by) {
         motion::Segment segment = line(1, start_s, joints(x0, 0), joints(x1, 0));
         segment.limited_by = limited_by;
         recorder.on_segment(segment);
@@ -138,7 +138,7 @@ TEST_F(RecorderTest, AMoveIsLimitedByWhatLimitsItsLongestSegment) {
     recorder.on_segment(standstill(2, 109.5, joints(400, 0), 1));
     const Report report = finish();
     ASSERT_EQ(output.moves.size(), 2u);
-    EXPECT_EQ(output.moves[0].limited_by, (motion::LimitedBy{LimitKind::joint_speed, 0}));
+    EXPECT_EQ(output.moves[0].limited_by, (motion::LimitCause{LimitKind::joint_speed, 0}));
     EXPECT_FALSE(output.moves[1].limited_by);
     EXPECT_EQ(report.slowest[0].limited_by, "joint X speed");
     EXPECT_EQ(report.slowest[1].limited_by, "");

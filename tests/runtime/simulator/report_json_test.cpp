@@ -46,11 +46,11 @@ TEST(ReportJson, KeysInTheirOrder) {
     const auto json = text::parse_json<ordered_json>(to_json(sample()));
     EXPECT_THAT(keys(json),
                 ElementsAre("format", "program", "machine", "controller", "status", "alarm", "violations",
-                            "violation_count", "remedy", "cycle_time_s", "valid_until_s", "time", "process",
-                            "length", "blocks", "moves", "blends", "bounds", "events", "warnings",
+                            "violation_count", "suggested_fix", "cycle_time_s", "valid_until_s", "time",
+                            "process", "length", "blocks", "moves", "blends", "bounds", "events", "warnings",
                             "diagnostics", "findings", "slowest"));
     EXPECT_THAT(keys(json["time"]), ElementsAre("rapid_s", "feed_s", "dwell_s"));
-    EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "jet_on_mm"));
+    EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "process_on_mm"));
     EXPECT_THAT(keys(json["blends"]),
                 ElementsAre("count", "max_deviation_mm", "file", "line", "feed", "rapid"));
     EXPECT_THAT(keys(json["bounds"]), ElementsAre("X", "B"));
@@ -91,7 +91,7 @@ TEST(ReportJson, ViolationsAndFindings) {
         R"("zone":null,"offset":"G54","message":"axis X goes to -5 mm","calls":[]})");
     EXPECT_EQ(json["violation_count"], 3);
     EXPECT_EQ(json["valid_until_s"], 0.25);
-    EXPECT_EQ(json["remedy"].dump(), R"([{"offset":"G54","axis":"X","shift_mm":5.0}])");
+    EXPECT_EQ(json["suggested_fix"].dump(), R"([{"offset":"G54","axis":"X","shift_mm":5.0}])");
     EXPECT_EQ(json["findings"].dump(),
               R"([{"t_s":1.0,"file":"sub.nc","line":2,"code":"rapid-with-process-on","message":"a rapid"}])");
     EXPECT_EQ(json["process"], "laser");

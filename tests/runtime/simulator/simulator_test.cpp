@@ -32,9 +32,9 @@ class EachPlanner : public testing::TestWithParam<PlannerKind> {
 
 TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
     Simulator simulator(machine(), {.max_time_s = 60});
-    simulator.move(line(100, 6000));
-    EXPECT_FALSE(simulator.alarm());
-    simulator.move(line(200, 60));
+    simulator.moves().enqueue(line(100, 6000));
+    EXPECT_FALSE(simulator.outcome().alarm());
+    simulator.moves().enqueue(line(200, 60));
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::stopped);
     ASSERT_TRUE(report.alarm);
@@ -43,18 +43,20 @@ TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
 
 TEST_P(EachPlanner, ARunWithinTheLimitCompletes) {
     Simulator simulator(machine(), {.max_time_s = 60});
-    simulator.move(line(100, 6000));
+    simulator.moves().enqueue(line(100, 6000));
     EXPECT_EQ(simulator.finish("p").status, RunStatus::completed);
 }
 
 TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
     machine::Machine with = machine();
-    with.controller.limit_jerk = true;
+    with.controller.ramps.limit_jerk = true;
     Simulator without_jerks(with, {});
-    EXPECT_THAT(without_jerks.finish("p").warnings, Contains(HasSubstr("limit_jerk makes no difference")));
+    const bool straight = GetParam() == PlannerKind::linuxcnc || GetParam() == PlannerKind::klipper;
+    EXPECT_THAT(without_jerks.finish("p").warnings,
+                Contains(HasSubstr(straight ? "limit_jerk has no effect: the planner"
+                                            : "limit_jerk has no effect: no axis")));
     for (machine::Axis& axis : with.axes) axis.max_jerk = 1000;
     Simulator with_jerks(with, {});
-    const bool straight = GetParam() == PlannerKind::linuxcnc || GetParam() == PlannerKind::klipper;
     EXPECT_EQ(with_jerks.finish("p").warnings.size(), straight ? 1U : 0U);
     Simulator plain(machine(), {});
     EXPECT_THAT(plain.finish("p").warnings, IsEmpty());

@@ -8,13 +8,13 @@
 namespace gsim::simulation::time_by_limit_test {
 namespace {
 
-using motion::LimitedBy;
+using motion::LimitCause;
 using motion::LimitKind;
 using testing::ElementsAre;
 
 class TimeByLimitTest : public testing::Test {
   protected:
-    void add(LimitedBy limited_by, double duration_s) {
+    void add(LimitCause limited_by, double duration_s) {
         motion::Segment segment = line(1, 0, joints(0, 0), joints(100, 0));
         segment.limited_by = limited_by;
         segment.duration_s = duration_s;

@@ -13,7 +13,7 @@
 #include "motion/kinematics/pose.h"
 #include "motion/path/tool_path.h"
 #include "motion/services/default_planner.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::motion::tool_moves_test {
@@ -32,7 +32,7 @@ PlannerSetup sample(const std::string& name, PlannerKind planner = PlannerKind::
     machine::Machine machine =
         machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
     machine.controller.planner = planner;
-    machine.controller.corner = rrs::CornerRule::velocity_step;
+    machine.controller.corners.continuous = rrs::CornerRule::velocity_step;
     return simulation::make_planner_setup(machine);
 }
 
@@ -360,7 +360,7 @@ TEST_P(Arm, AWayOutOfReachIsNamed) {
     rrs::CartPos end = start;
     end.translation() += Vector3d(2000, 0, 0);
     EXPECT_EQ(to(end), Status::RRS_NO_SOLUTION);
-    EXPECT_THAT(run.message(), HasSubstr("The tool cannot follow its way at X"));
+    EXPECT_THAT(run.message(), HasSubstr("The tool cannot follow its path at X"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, Arm, testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead));

@@ -81,7 +81,7 @@ TEST_P(WorkFrames, TheToolFrameGoesTheProgrammedWay) {
     for (step = robot.step(); step.status == Status::RRS_SUCCESS; step = robot.step()) {
         const Vector3d gone = step.pose.translation() - from.translation();
         ASSERT_LT((gone - displacement * displacement.dot(gone)).norm(),
-                  robot.setup.controller.tcp_tolerance_mm);
+                  robot.setup.controller.coordination.tcp_tolerance_mm);
     }
     EXPECT_EQ(step.status, Status::RRS_TARGET_REACHED);
     EXPECT_TRUE(step.pose.isApprox(to, 1e-6));
@@ -131,7 +131,7 @@ TEST(WorkFramesOfCells, NamesThatCannotBeMeantAreRefused) {
     EXPECT_EQ(robot.planner.SelectWorkFrames("nozle tip", "world"), Status::RRS_UNKNOWN_FRAME);
     EXPECT_THAT(robot.message(), HasSubstr("did you mean 'nozzle tip'?"));
     EXPECT_EQ(robot.planner.SelectWorkFrames("stand", "world"), Status::RRS_INVALID_PARAMETER);
-    EXPECT_THAT(robot.message(), HasSubstr("'stand' moves against the frame 'tool'"));
+    EXPECT_THAT(robot.message(), HasSubstr("'stand' moves relative to the frame 'tool'"));
     EXPECT_EQ(robot.planner.SelectWorkFrames("tool", "X"), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(robot.planner.SelectWorkFrames("tool", "nozzle tip"), Status::RRS_INVALID_PARAMETER);
     const CartPos pose = robot.step().pose;

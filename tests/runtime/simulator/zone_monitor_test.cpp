@@ -90,10 +90,10 @@ void expect_first(const machine::Zone& zone, const Collected& run, double hit_s)
 machine::Machine machine_with(std::mt19937& random, PlannerKind planner, CornerRule corner, bool jerk) {
     machine::Machine machine = random_machine(random, af5());
     machine.controller.planner = planner;
-    machine.controller.corner = corner;
-    machine.controller.limit_jerk = jerk;
-    machine.controller.blend_tolerance_mm = 0.5;
-    if (planner == PlannerKind::linuxcnc) machine.controller.servo_period_s = 0.001;
+    machine.controller.corners.continuous = corner;
+    machine.controller.ramps.limit_jerk = jerk;
+    machine.controller.corners.blend_tolerance_mm = 0.5;
+    if (planner == PlannerKind::linuxcnc) machine.controller.position_loop.servo_period_s = 0.001;
     return machine;
 }
 
@@ -115,7 +115,7 @@ TEST_P(ZonesWithEachPlanner, EndTheRunAtTheFirstInstantThatIsNotAllowed) {
         Collected run;
         Simulator free(machine, {});
         free.add_output(run);
-        free.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
+        free.program().settings().set_path_mode(rrs::PathMode::continuous, 0.5, 0);
         std::mt19937 moves(seed + 1000);
         make_random_moves(moves, free, kMoves);
         const Report full = free.finish("p");
@@ -126,8 +126,8 @@ TEST_P(ZonesWithEachPlanner, EndTheRunAtTheFirstInstantThatIsNotAllowed) {
         if (allowance_mm(zone, run.at(0)) < kWall_mm) continue;
 
         Simulator monitored(machine, {.stop_at_first = true});
-        monitored.set_zone_data(data);
-        monitored.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
+        monitored.program().zones().set_data(data);
+        monitored.program().settings().set_path_mode(rrs::PathMode::continuous, 0.5, 0);
         moves.seed(seed + 1000);
         make_random_moves(moves, monitored, kMoves);
         const Report report = monitored.finish("p");
@@ -183,7 +183,7 @@ TEST_P(ZonesWithEachPlanner, OrElseListEachEntryAndChangeNothing) {
         Collected run;
         Simulator free(machine, {});
         free.add_output(run);
-        free.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
+        free.program().settings().set_path_mode(rrs::PathMode::continuous, 0.5, 0);
         std::mt19937 moves(seed + 1000);
         make_random_moves(moves, free, kMoves);
         const Report full = free.finish("p");
@@ -191,8 +191,8 @@ TEST_P(ZonesWithEachPlanner, OrElseListEachEntryAndChangeNothing) {
         data.security_zones[3] = random_zone(random, run);
         if (allowance_mm(data.security_zones[3], run.at(0)) < kWall_mm) continue;
         Simulator monitored(machine, {});
-        monitored.set_zone_data(data);
-        monitored.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
+        monitored.program().zones().set_data(data);
+        monitored.program().settings().set_path_mode(rrs::PathMode::continuous, 0.5, 0);
         moves.seed(seed + 1000);
         make_random_moves(moves, monitored, kMoves);
         const Report report = monitored.finish("p");
@@ -244,15 +244,15 @@ Simulator& with_look_ahead(std::unique_ptr<Simulator>& simulator) {
 TEST(ZoneMonitor, TheAlarmNamesTheBlockOfTheMotionNotTheOneThatIsRead) {
     std::unique_ptr<Simulator> owner;
     Simulator& simulator = with_look_ahead(owner);
-    simulator.set_zone_data(security_zone(100, 200));
-    simulator.add_file("part.nc");
-    simulator.move(line_to(50, 0, {0, 1}));
-    simulator.enter_program("O2", {0, 2});
-    simulator.move(line_to(150, 0, {0, 10}));
-    simulator.leave_program();
-    simulator.event("message", "later", {0, 3}, Simulator::EventTiming::in_passing);
-    simulator.move(line_to(300, 0, {0, 4}));
-    simulator.fail(text::DiagnosticKind::script, "the program has a fault of its own", {0, 5});
+    simulator.program().zones().set_data(security_zone(100, 200));
+    simulator.program().files().add("part.nc");
+    simulator.moves().enqueue(line_to(50, 0, {0, 1}));
+    simulator.program().calls().enter("O2", {0, 2});
+    simulator.moves().enqueue(line_to(150, 0, {0, 10}));
+    simulator.program().calls().leave();
+    simulator.events().add("message", "later", {0, 3}, EventTiming::in_passing);
+    simulator.moves().enqueue(line_to(300, 0, {0, 4}));
+    simulator.outcome().fail(text::DiagnosticKind::script, "the program has a fault of its own", {0, 5});
     const Report report = simulator.finish("p");
     ASSERT_TRUE(report.alarm);
     EXPECT_EQ(report.alarm->location.line, 10U);
@@ -272,12 +272,12 @@ TEST(ZoneMonitor, SwitchesHoldFromTheNextTargetOn) {
     for (const bool on_behind : {true, false}) {
         std::unique_ptr<Simulator> owner;
         Simulator& simulator = with_look_ahead(owner);
-        simulator.set_zone_data(security_zone(100, 200));
-        EXPECT_FALSE(simulator.switch_zones(1, false));
-        EXPECT_TRUE(simulator.switch_zones(2, false));
-        simulator.move(line_to(300, 0, {0, 1}));
-        EXPECT_TRUE(simulator.switch_zones(2, on_behind));
-        simulator.move(line_to(150, 0, {0, 2}));
+        simulator.program().zones().set_data(security_zone(100, 200));
+        EXPECT_FALSE(simulator.program().zones().switch_zones(1, false));
+        EXPECT_TRUE(simulator.program().zones().switch_zones(2, false));
+        simulator.moves().enqueue(line_to(300, 0, {0, 1}));
+        EXPECT_TRUE(simulator.program().zones().switch_zones(2, on_behind));
+        simulator.moves().enqueue(line_to(150, 0, {0, 2}));
         const Report report = simulator.finish("p");
         ASSERT_EQ(report.alarm.has_value(), on_behind);
         if (!on_behind) continue;
@@ -288,11 +288,11 @@ TEST(ZoneMonitor, SwitchesHoldFromTheNextTargetOn) {
 
 TEST(ZoneMonitor, TheToolsEndCountsWithTheOffsetOfItsMove) {
     Simulator simulator(af5(), {.stop_at_first = true});
-    simulator.set_zone_data(security_zone(100, 200));
-    simulator.move(line_to(90, 0, {0, 1}));
-    simulator.set_tool_offset({30, 0, 0});
-    simulator.move(line_to(125, 0, {0, 2}));
-    simulator.move(line_to(140, 0, {0, 3}));
+    simulator.program().zones().set_data(security_zone(100, 200));
+    simulator.moves().enqueue(line_to(90, 0, {0, 1}));
+    simulator.program().tool().set({30, 0, 0});
+    simulator.moves().enqueue(line_to(125, 0, {0, 2}));
+    simulator.moves().enqueue(line_to(140, 0, {0, 3}));
     const Report report = simulator.finish("p");
     ASSERT_TRUE(report.alarm);
     EXPECT_EQ(report.alarm->location.line, 3U);
@@ -302,12 +302,12 @@ TEST(ZoneMonitor, TheToolsEndCountsWithTheOffsetOfItsMove) {
 
 TEST(ZoneMonitor, AToolThatStandsWhereItMustNotEndsTheRunWhereTheZoneBeginsToHold) {
     Simulator simulator(af5(), {.stop_at_first = true});
-    simulator.set_zone_data(security_zone(100, 200));
-    simulator.switch_zones(2, false);
-    simulator.move(line_to(150, 0, {0, 1}));
-    const double stands_s = simulator.time_s();
-    simulator.switch_zones(2, true);
-    simulator.move(line_to(250, 0, {0, 2}));
+    simulator.program().zones().set_data(security_zone(100, 200));
+    simulator.program().zones().switch_zones(2, false);
+    simulator.moves().enqueue(line_to(150, 0, {0, 1}));
+    const double stands_s = simulator.clock().time_s();
+    simulator.program().zones().switch_zones(2, true);
+    simulator.moves().enqueue(line_to(250, 0, {0, 2}));
     const Report report = simulator.finish("p");
     ASSERT_TRUE(report.alarm);
     EXPECT_EQ(report.alarm->location.line, 2U);
@@ -319,7 +319,7 @@ TEST(ZoneMonitor, WallsOnAnAxisThatTheMachineHasNotAreLeftOutWithAWarning) {
     machine::Machine machine = af5();
     for (machine::Axis& axis : machine.axes) axis.letter = axis.letter == 'X' ? 'U' : axis.letter;
     Simulator simulator(machine, {});
-    simulator.set_zone_data(security_zone(100, 200));
+    simulator.program().zones().set_data(security_zone(100, 200));
     const Report report = simulator.finish("p");
     ASSERT_EQ(report.warnings.size(), 1U);
     EXPECT_NE(report.warnings[0].find("no linear axis X"), std::string::npos);

@@ -87,16 +87,16 @@ TEST(ContoursForm, RefusesWhatItDoesNotKnow) {
     EXPECT_EQ(error({{"drawing", "part.step"}}), "contours of a part needs 'contours'");
     EXPECT_THAT(error({{"contours", {{"kind", "holes"}}}}), HasSubstr("'drawing'"));
     EXPECT_THAT(error({{"drawing", "part.step"}, {"contours", "holes"}}),
-                HasSubstr("'contours' should be an object"));
+                HasSubstr("'contours' must be an object, not of type string"));
     EXPECT_EQ(error({{"drawing", "part.step"}, {"contours", {{"kind", "walls"}}}}),
-              "'kind' should be one of holes, outlines, all, edges, not 'walls'");
+              "'kind' must be one of holes, outlines, all, edges, not 'walls'");
     EXPECT_THAT(error({{"drawing", "part.step"}, {"contours", {{"kind", "holes"}}}, {"kerf_mm", 1}}),
-                HasSubstr("there is no key 'kerf_mm'"));
+                HasSubstr("unknown key 'kerf_mm' of contours of a part"));
     // A page without a reader says what it reads.
     EXPECT_EQ(error({{"drawing", "part.step"}, {"contours", {{"kind", "holes"}}}}),
-              "part.step: STEP and IGES files are not read here; DXF and SVG files are");
+              "part.step: STEP and IGES files are not supported here, only DXF and SVG files");
     EXPECT_THAT(error({{"drawing", "part.svg"}, {"contours", {{"kind", "holes"}}}}),
-                HasSubstr("--contours is for STEP and IGES files"));
+                HasSubstr("--contours applies to STEP and IGES files"));
 }
 
 }  // namespace

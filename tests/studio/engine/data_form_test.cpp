@@ -62,7 +62,7 @@ TEST(DataForm, TellsWhatFieldsThereAre) {
     EXPECT_EQ(fields[0]["unit"], "length");
     EXPECT_EQ(fields[3]["name"], "B");
     EXPECT_EQ(fields[3]["unit"], "angle");
-    EXPECT_EQ(fields[3]["meaning"], "the frame's origin on axis B, in machine coordinates");
+    EXPECT_EQ(fields[3]["meaning"], "the origin of the frame on axis B, in machine coordinates");
     for (const std::size_t points : {1U, 2U}) {
         const json& name = sections[points]["fields"].back();
         EXPECT_EQ(name["name"], "NAME");
@@ -72,7 +72,7 @@ TEST(DataForm, TellsWhatFieldsThereAre) {
     const json& walls = sections[7]["fields"];
     EXPECT_EQ(walls[0]["open"], true);
     EXPECT_EQ(walls[6]["choices"], json({"ENTER", "LEAVE"}));
-    EXPECT_EQ(walls[8]["greatest"], 99);
+    EXPECT_EQ(walls[8]["max"], 99);
 }
 
 TEST(DataForm, AnEntryIsChangedInItsLineAlone) {
@@ -155,20 +155,19 @@ TEST(DataForm, AChangeThatCannotBeMadeFailsInASentence) {
     const auto error = [](const json& change) {
         return make_error(data_request(json::array({change})), {{"tools.txt", kTools}});
     };
-    EXPECT_EQ(error({{"op", "burn"}}), "'op' should be one of set, reset, reset_all, convert, not 'burn'");
+    EXPECT_EQ(error({{"op", "burn"}}), "'op' must be one of set, reset, reset_all, convert, not 'burn'");
     EXPECT_EQ(error(json::object()), "a change of data needs 'op'");
-    EXPECT_EQ(error(7), "a change of data should be an object, not 7");
-    EXPECT_EQ(error({{"op", "convert"}, {"unit", "foot"}}), "'unit' should be one of mm, inch, not 'foot'");
+    EXPECT_EQ(error(7), "a change of data must be an object, not 7");
+    EXPECT_EQ(error({{"op", "convert"}, {"unit", "foot"}}), "'unit' must be one of mm, inch, not 'foot'");
     EXPECT_EQ(error({{"op", "reset"}, {"section", "TOOL"}}), "a change of data needs 'id'");
-    EXPECT_EQ(error({{"op", "reset_all"}, {"id", "1"}}), "there is no key 'id' of a change of data");
-    EXPECT_EQ(error(set_offset({{"X", 10}})), "the value of 'X' should be a text, not 10");
-    EXPECT_EQ(error(set_offset({{"X=1 Y", "2"}})), "'X=1 Y' is no name of a field");
+    EXPECT_EQ(error({{"op", "reset_all"}, {"id", "1"}}), "unknown key 'id' of a change of data");
+    EXPECT_EQ(error(set_offset({{"X", 10}})), "the value of 'X' must be a string, not 10");
+    EXPECT_EQ(error(set_offset({{"X=1 Y", "2"}})), "'X=1 Y' is not the name of a field");
     EXPECT_THAT(error(set_offset({{"Q", "1"}})), HasSubstr("OFFSET has no 'Q'"));
     EXPECT_THAT(error(set_offset({{"X", "ten"}})), HasSubstr("'ten' is not a number"));
     EXPECT_EQ(make_error(R"({"do": "data"})"), "data needs 'file'");
-    EXPECT_EQ(make_error(R"({"do": "data", "file": "a", "program": "b"})"),
-              "there is no key 'program' of data");
-    EXPECT_EQ(make_error(R"({"do": "data", "file": "a", "cell": 3})"), "'cell' should be a text, not 3");
+    EXPECT_EQ(make_error(R"({"do": "data", "file": "a", "program": "b"})"), "unknown key 'program' of data");
+    EXPECT_EQ(make_error(R"({"do": "data", "file": "a", "cell": 3})"), "'cell' must be a string, not 3");
 }
 
 }  // namespace

@@ -157,31 +157,31 @@ TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
     EXPECT_EQ(error({{"drawing", "square.svg"}}),
               "a drawing needs 'material' and 'thickness_mm', or 'speed_mm_min' and 'kerf_mm'");
     EXPECT_EQ(error({{"drawing", "square.svg"}, {"colour", 1}, {"material", "lead"}}),
-              "there is no key 'colour' of a drawing");
+              "unknown key 'colour' of a drawing");
     json request_json = by_figures("square.svg");
     request_json["up"] = "w";
-    EXPECT_EQ(error(request_json), "'up' should be one of x, y, z, -x, -y, -z, not 'w'");
+    EXPECT_EQ(error(request_json), "'up' must be one of x, y, z, -x, -y, -z, not 'w'");
     request_json = by_figures("square.svg");
     request_json["origin_mm"] = {1, 2};
-    EXPECT_EQ(error(request_json), "'origin_mm' should be three numbers, not 2");
+    EXPECT_EQ(error(request_json), "'origin_mm' must be three numbers, not 2");
     request_json = by_figures("square.svg");
     request_json["unit_mm"] = 0;
-    EXPECT_THAT(error(request_json), HasSubstr("'unit_mm' should be from 1e-06"));
+    EXPECT_THAT(error(request_json), HasSubstr("'unit_mm' must be from 1e-06 to 1000000, not 0"));
     EXPECT_EQ(error(by_figures("part.step")),
-              "part.step: STEP and IGES files are not read here; DXF and SVG files are");
+              "part.step: STEP and IGES files are not supported here, only DXF and SVG files");
     request_json = by_figures("part.step");
     request_json["contours"] = {{"kind", "holes"}, {"side", "up"}};
-    EXPECT_EQ(error(request_json), "'side' should be one of x, y, z, -x, -y, -z, not 'up'");
+    EXPECT_EQ(error(request_json), "'side' must be one of x, y, z, -x, -y, -z, not 'up'");
     request_json["contours"] = {{"kind", "holes"}, {"colour", "red"}};
-    EXPECT_EQ(error(request_json), "there is no key 'colour' of contours");
+    EXPECT_EQ(error(request_json), "unknown key 'colour' of contours");
     request_json["contours"] = {{"kind", "holes"}, {"axis", "wall"}, {"lean_deg", 5}};
-    EXPECT_THAT(error(request_json), HasSubstr("--lean is from the face's normal"));
+    EXPECT_THAT(error(request_json), HasSubstr("--tilt-angle is relative to the face normal"));
     request_json["contours"] = {{"kind", "holes"}};
     request_json["straighten"] = true;
-    EXPECT_THAT(error(request_json), HasSubstr("--straighten"));
+    EXPECT_THAT(error(request_json), HasSubstr("--taper-compensation"));
     request_json = by_figures("square.svg");
     request_json["contours"] = {{"kind", "holes"}};
-    EXPECT_THAT(error(request_json), HasSubstr("--contours is for STEP and IGES files"));
+    EXPECT_THAT(error(request_json), HasSubstr("--contours applies to STEP and IGES files"));
     EXPECT_THAT(error({{"drawing", "plate.svg"}, {"material", "aluminium"}, {"thickness_mm", 12}}),
                 HasSubstr("did you mean \"aluminum\"?"));
     EXPECT_THAT(error(by_figures("none.svg")), HasSubstr("none.svg"));
@@ -198,9 +198,9 @@ TEST(DrawingForm, WhatStandsThereIsLookedAt) {
     const Frame path = path_of(request_json);
     ASSERT_TRUE(path.header.contains("figures")) << path.header;
     EXPECT_EQ(path.header["figures"]["ways"], 2);
-    EXPECT_THAT(path.header["summary"].get<std::string>(), HasSubstr("nothing is touched"));
+    EXPECT_THAT(path.header["summary"].get<std::string>(), HasSubstr("; there are no collisions, and"));
     request_json["place"] = {{"room", "post.toml"}};
-    EXPECT_EQ(error(request_json), "there is no key 'room' of place");
+    EXPECT_EQ(error(request_json), "unknown key 'room' of place");
     request_json["place"] = {{"cell", "none.toml"}};
     EXPECT_THAT(error(request_json), HasSubstr("none.toml"));
 }

@@ -51,9 +51,9 @@ TEST(MachineForm, EachFaultOfAMachineIsToldAtItsPlace) {
     EXPECT_EQ(reported(frames), (std::vector<std::string>{
                                     "m.toml:3:1 unknown key 'inverted' in [machine]; did you mean 'inverse'?",
                                     "m.toml:9:10 'max_mm' must be a number, not a string",
-                                    "m.toml:10:18 'max_speed_mm_s' must be greater than 0; it is -1",
+                                    "m.toml:10:18 'max_speed_mm_s' must be greater than 0, not -1",
                                     "m.toml:15:10 'min_mm' is 5, greater than 'max_mm', 1",
-                                    "m.toml:12:1 'home_mm' is 0, outside of the axis's range 5 .. 1",
+                                    "m.toml:12:1 'home_mm' is 0, outside the axis range 5 .. 1",
                                     "m.toml:13:10 the letter X is given twice; first in line 6",
                                 }));
     EXPECT_EQ(last(frames).is(), "failed");
@@ -71,10 +71,10 @@ TEST(MachineForm, EachFaultOfACellIsToldAtItsPlace) {
     EXPECT_EQ(reported(frames),
               (std::vector<std::string>{
                   "c.toml:2:8 'name' must be a string, not a number",
-                  "c.toml:6:15 nothing above is called 'b'; there are: world, base, X, tool, work",
+                  "c.toml:6:15 'b' is not defined above; known names: world, base, X, tool, work",
                   "c.toml:7:11 unknown key 'box' in 'shape'; did you mean 'box_mm'?",
-                  "c.toml:9:8 the name 'a' is taken: by the machine, or above",
-                  "c.toml:11:11 unknown key 'x' in 'frame'; it may hold: x_mm, y_mm, z_mm, roll_deg, "
+                  "c.toml:9:8 the name 'a' is already used, by the machine or above",
+                  "c.toml:11:11 unknown key 'x' in 'frame'; known keys: x_mm, y_mm, z_mm, roll_deg, "
                   "pitch_deg, yaw_deg",
               }));
     EXPECT_EQ(last(frames).is(), "failed");

@@ -97,7 +97,7 @@ TEST(PoseForm, TheLengthOfAToolIsThatOfItsCompensation) {
         const auto frames = request_frames(run.dump(), files);
         const auto scenes = filter_frames(frames, "scene");
         ASSERT_FALSE(scenes.empty()) << last(frames).header;
-        const json tcp = scenes.back().header["scene"]["tips_mm"].back();
+        const json tcp = scenes.back().header["scene"]["tcps_mm"].back();
         EXPECT_NEAR(tcp[2].get<double>(), -30, 1e-9) << machine << tcp;
         const json with = request_pose(request_json);
         request_json.erase("tool_mm");
@@ -127,12 +127,12 @@ TEST(PoseForm, WhatCannotBeFailsInASentence) {
     const auto error = [](const json& request_json) {
         return make_error(pose_request(request_json), files_of_poses());
     };
-    EXPECT_EQ(error(json::object()), "a pose is told by 'joints' or by 'tip_mm', by one of them");
-    EXPECT_EQ(error({{"joints", {1, "2"}}}), "'joints' should be numbers; one is of the kind string");
+    EXPECT_EQ(error(json::object()), "a pose must have either 'joints' or 'tip_mm'");
+    EXPECT_EQ(error({{"joints", {1, "2"}}}), "'joints' must be numbers; one is of type string");
     EXPECT_EQ(error({{"joints", {1, 2}}}),
-              "'joints' should have 5 values, one for each axis of the machine, not 2");
-    EXPECT_EQ(error({{"tip_mm", {1, 2}}}), "'tip_mm' should be three numbers, not 2");
-    EXPECT_EQ(error({{"tip", {1, 2, 3}}}), "there is no key 'tip' of a pose");
+              "'joints' must have 5 values, one for each axis of the machine, not 2");
+    EXPECT_EQ(error({{"tip_mm", {1, 2}}}), "'tip_mm' must be three numbers, not 2");
+    EXPECT_EQ(error({{"tip", {1, 2, 3}}}), "unknown key 'tip' of a pose");
     EXPECT_THAT(error({{"machine", "none.toml"}, {"joints", {1}}}), HasSubstr("none.toml"));
 }
 

@@ -65,7 +65,7 @@ TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
     // The new TCP begins at its position at the change: 30 mm below the old one.
     ASSERT_GE(vertices.size(), 6U);
     EXPECT_NEAR(vertices[vertices.size() - 4], 70, 1e-4);
-    const auto tcps = filter_frames(frames, "scene").back().header["scene"]["tips_mm"];
+    const auto tcps = filter_frames(frames, "scene").back().header["scene"]["tcps_mm"];
     ASSERT_EQ(tcps.size(), 2U);
     EXPECT_NEAR(std::hypot(tcps[1][0].get<double>(), tcps[1][1].get<double>(), tcps[1][2].get<double>()), 30,
                 1e-9);
@@ -177,23 +177,21 @@ TEST(Session, ARefusedProgramHasAReportAndFails) {
 }
 
 TEST(Session, WhatCannotBeDoneFailsInASentence) {
-    EXPECT_EQ(last(request_frames("{")).header["message"], "a request should be JSON");
-    EXPECT_EQ(last(request_frames("[]")).header["message"], "a request should be an object");
+    EXPECT_EQ(last(request_frames("{")).header["message"], "a request must be JSON");
+    EXPECT_EQ(last(request_frames("[]")).header["message"], "a request must be an object");
     EXPECT_NE(last(request_frames(R"({"do": 3})"))
                   .header["message"]
                   .get<std::string>()
-                  .find("'do' should be a text, one of run, check, translate, envelope, languages"),
+                  .find("'do' must be a string, one of run, check, translate, envelope, languages"),
               std::string::npos);
     EXPECT_EQ(last(request_frames(R"({"do": "run", "tool_mm": 3})")).header["message"],
-              "there is no key 'tool_mm' of a run");
+              "unknown key 'tool_mm' of a run");
     EXPECT_EQ(last(request_frames(R"({"do": "run", "program": )" + std::string(100, '[') +
                                   std::string(100, ']') + "}"))
                   .header["message"],
-              "'program' should be a text, not of the kind array");
-    EXPECT_EQ(last(request_frames(R"({"do": "\nfly"})")).header["message"],
-              "nothing is known of how to do '\\x0afly'");
-    EXPECT_EQ(last(request_frames(R"({"do": "fly"})")).header["message"],
-              "nothing is known of how to do 'fly'");
+              "'program' must be a string, not of type array");
+    EXPECT_EQ(last(request_frames(R"({"do": "\nfly"})")).header["message"], "unknown request '\\x0afly'");
+    EXPECT_EQ(last(request_frames(R"({"do": "fly"})")).header["message"], "unknown request 'fly'");
     EXPECT_EQ(last(request_frames(kRun)).is(), "failed");
     EXPECT_NE(last(request_frames(kRun)).header["message"].get<std::string>().find("part.nc"),
               std::string::npos);

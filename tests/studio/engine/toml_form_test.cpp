@@ -76,19 +76,20 @@ TEST(TomlForm, WhatCannotBeChangedFailsInASentence) {
         return make_error(R"({"do": "toml", "file": "cell.toml", "changes": [)" + change + "]}",
                           {{"cell.toml", kCell}});
     };
-    EXPECT_EQ(change_error(R"({"op": "remove", "at": ["object", 1]})"), "there is no 'object[1]' to remove");
+    EXPECT_EQ(change_error(R"({"op": "remove", "at": ["object", 1]})"),
+              "'object[1]' does not exist and cannot be removed");
     EXPECT_EQ(
         change_error(R"({"op": "remove", "at": ["cell"]}, {"op": "move", "at": ["object", 0], "to": 1})"),
-        "change 2: 'object' has 1 elements, from 0 on; there is no place 1");
-    EXPECT_EQ(change_error("3"), "a change should be an object");
-    EXPECT_EQ(change_error(R"({"op": "paint"})"), "'op' should be one of set, add, remove, move");
+        "change 2: 'object' has 1 elements, from 0 on; index 1 does not exist");
+    EXPECT_EQ(change_error("3"), "a change must be an object");
+    EXPECT_EQ(change_error(R"({"op": "paint"})"), "'op' must be one of set, add, remove, move");
     EXPECT_EQ(change_error(R"({"op": "set", "at": "cell", "value": 1})"),
-              "'at' should be a list of keys and of numbers of elements, from 0 on");
+              "'at' must be a list of keys and of indices, from 0 on");
     EXPECT_EQ(change_error(R"({"op": "set", "at": ["cell", "name"]})"), "'set' lacks the key 'value'");
     EXPECT_EQ(change_error(R"({"op": "remove", "at": ["cell"], "value": 1})"),
-              "there is no key 'value' of 'remove'");
+              "unknown key 'value' of 'remove'");
     EXPECT_EQ(change_error(R"({"op": "move", "at": ["object", 0], "to": -1})"),
-              "'to' should be the number of a place, from 0 on");
+              "'to' must be an index, from 0 on");
     EXPECT_EQ(make_error(R"({"do": "toml"})"), "toml needs 'file'");
 }
 
@@ -106,14 +107,14 @@ TEST(KeysForm, TellsWhatAFileMayHave) {
     ASSERT_NE(speed, keys.end());
     EXPECT_EQ(*speed, nlohmann::json({{"name", "max_speed_mm_s"},
                                       {"kind", "number"},
-                                      {"meaning", "limit of its speed"},
+                                      {"meaning", "max speed"},
                                       {"unit", "mm/s"},
                                       {"above", 0},
-                                      {"most", 1e9},
+                                      {"max", 1e9},
                                       {"or", {"inf"}},
                                       {"default", "inf"}}));
     EXPECT_EQ(make_error(R"({"do": "keys", "of": "mesh"})"),
-              "'of' should be one of machine, cell, controller, not 'mesh'");
+              "'of' must be one of machine, cell, controller, not 'mesh'");
 }
 
 }  // namespace

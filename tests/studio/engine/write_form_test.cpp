@@ -88,11 +88,11 @@ TEST(WriteForm, WhatCannotBeWrittenFailsInASentence) {
     };
     EXPECT_EQ(error(json::object()), "write needs 'path'");
     EXPECT_EQ(error({{"path", "square.json"}, {"offsets", "all"}}),
-              "'offsets' should be one of as_path, keep, none, machine, not 'all'");
+              "'offsets' must be one of as_path, keep, none, machine, not 'all'");
     EXPECT_EQ(error({{"path", "square.json"}, {"decimals_mm", 7}}),
-              "'decimals_mm' should be from 1 to 6, not 7");
-    EXPECT_EQ(error({{"path", "square.json"}, {"decimal", 3}}), "there is no key 'decimal' of write");
-    EXPECT_THAT(error({{"path", "square.json"}, {"post", "fidia"}}), HasSubstr("there is no post 'fidia'"));
+              "'decimals_mm' must be from 1 to 6, not 7");
+    EXPECT_EQ(error({{"path", "square.json"}, {"decimal", 3}}), "unknown key 'decimal' of write");
+    EXPECT_THAT(error({{"path", "square.json"}, {"post", "fidia"}}), HasSubstr("unknown post 'fidia'"));
     EXPECT_THAT(error({{"path", "none.json"}}), HasSubstr("none.json"));
     EXPECT_THAT(error({{"path", "square.json"}, {"machine", "none.toml"}}), HasSubstr("none.toml"));
 }
@@ -100,7 +100,7 @@ TEST(WriteForm, WhatCannotBeWrittenFailsInASentence) {
 TEST(WriteForm, PostsAreNamed) {
     const json names = filter_frames(request_frames(R"({"do": "posts"})"), "posts").at(0).header["names"];
     EXPECT_NE(std::find(names.begin(), names.end(), "grbl"), names.end());
-    EXPECT_EQ(make_error(R"({"do": "posts", "path": "a"})"), "there is no key 'path' of posts");
+    EXPECT_EQ(make_error(R"({"do": "posts", "path": "a"})"), "unknown key 'path' of posts");
 }
 
 }  // namespace

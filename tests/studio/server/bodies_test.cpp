@@ -140,15 +140,15 @@ TEST_F(StudioServerTest, WhatNobodyWantsIsNotKept) {
 }
 
 TEST(WholeBodyStreamTest, ReadsTheRestBeforeItAnswersAndWaitsForNoneThatHasEnded) {
-    for (const bool is_whole : {true, false}) {
-        MemoryStream stream(is_whole ? "0123456789next" : "0123");
+    for (const bool sets_all_rotary_axes : {true, false}) {
+        MemoryStream stream(sets_all_rotary_axes ? "0123456789next" : "0123");
         BufferedBodyStream full(stream);
         full.expect_body(10);
         std::array<char, 2> bytes{};
         EXPECT_EQ(full.read(bytes.data(), bytes.size()), 2);
         full.write("answer", 6);
         EXPECT_EQ(stream.answered(), "answer");
-        EXPECT_EQ(stream.is_readable(), is_whole) << "what follows the body stays";
+        EXPECT_EQ(stream.is_readable(), sets_all_rotary_axes) << "what follows the body stays";
     }
 }
 
@@ -195,7 +195,7 @@ TEST_F(EndsTest, WhoHasItsAnswerMakesRoomForOthers) {
     all.on_open();
     Connections::Entry entry(all, ends_[0]);
     entry.accept_request();
-    std::thread coming([&] { all.make_room(); });
+    std::thread coming([&] { all.wait_for_capacity(); });
     std::this_thread::sleep_for(milliseconds(300));
     EXPECT_FALSE(is_ended()) << "it is being answered";
     entry.finish();

@@ -89,7 +89,7 @@ TEST_F(StudioServerTest, WhatTheEngineSaysIsHandedOn) {
 TEST_F(StudioServerTest, AnEngineThatDiesIsSaid) {
     begin("kill -SEGV $$");
     EXPECT_THAT(handle_request("POST", "ask", "{}"),
-                HasSubstr(R"("message":"the engine was ended by signal 11")"));
+                HasSubstr(R"("message":"the engine was terminated by signal 11")"));
     EXPECT_THAT(log_, HasSubstr("signal 11"));
 }
 
@@ -153,7 +153,7 @@ TEST_F(StudioServerTest, OthersAreRefusedAndLoggedWithoutTheToken) {
                 StartsWith("HTTP/1.1 403"));
     EXPECT_THAT(handle_request("DELETE", "file/part.nc"), StartsWith("HTTP/1.1 405"));
     EXPECT_EQ(content("part.nc"), "G1 X1\n");
-    EXPECT_THAT(log_, HasSubstr("the origin 'http://evil.example' is another one"));
+    EXPECT_THAT(log_, HasSubstr("the origin 'http://evil.example' is not this server"));
     EXPECT_THAT(log_, Not(HasSubstr(token_)));
 }
 

@@ -29,7 +29,7 @@ function difference(mine: string, theirs: string): Node[] {
 }
 
 export async function resolveConflict(name: string, folder: Folder, documents: Documents): Promise<ConflictChoice> {
-  const theirs = await folder.theirs(name).catch(() => null);
+  const theirs = await folder.readDiskVersion(name).catch(() => null);
   const mine = documents.get(name);
   const displayed = typeof mine === "string" && typeof theirs?.content === "string" ? difference(mine, theirs.content) : [];
   return new Promise((resolve) => {
@@ -50,11 +50,11 @@ export async function resolveConflict(name: string, folder: Folder, documents: D
       "div",
       { class: "answers" },
       button("mine", words.keepMine, words.keepMineTitle),
-      button("theirs", words.takeTheirs, words.takeTheirsTitle),
+      button("theirs", words.loadDiskVersion, words.loadDiskVersionTitle),
       button("other", words.saveOther, words.saveOther),
       button("later", words.later, words.later),
     );
-    const dialog = showDialog(words.conflictTitle(name), [element("p", {}, words.conflictAbout), ...displayed, buttons], () =>
+    const dialog = showDialog(words.conflictTitle(name), [element("p", {}, words.conflictText), ...displayed, buttons], () =>
       resolve(decision),
     );
   });

@@ -1,9 +1,9 @@
 // Saves documents into the folder; if two versions exist, the user decides.
 
 import { UNTITLED } from "../../core/documents";
+import { baseName } from "../../core/file_kinds";
 import { download } from "../../core/files";
 import type { Folder, SaveResult } from "../../core/folder";
-import { baseName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import { texts } from "../../texts";
 import { requestName } from "./request_name";
@@ -13,7 +13,7 @@ const words = texts.folder;
 
 export class FolderSaver {
   /** Names for which a dialog is open, or about to be. */
-  private readonly asked = new Set<string>();
+  private readonly openDialogs = new Set<string>();
 
   constructor(
     private readonly session: Session,
@@ -27,8 +27,8 @@ export class FolderSaver {
       download(name, session.documents);
       return null;
     }
-    if (this.lacksName(name)) return this.saveAs(name, baseName(name));
-    return this.said(name, await folder.save(name));
+    if (this.needsName(name)) return this.saveAs(name, baseName(name));
+    return this.reportResult(name, await folder.save(name));
   }
 
   async saveAll(): Promise<void> {
@@ -45,13 +45,13 @@ export class FolderSaver {
     const { folder } = this;
     switch (await this.ask(name)) {
       case "mine":
-        return this.said(name, await folder.keepMine(name));
+        return this.reportResult(name, await folder.keepMine(name));
       case "theirs":
-        await folder.takeTheirs(name);
+        await folder.loadDiskVersion(name);
         return null;
       case "other": {
         const as = await this.saveAs(name, this.freeName(name));
-        if (as) await folder.takeTheirs(name);
+        if (as) await folder.loadDiskVersion(name);
         return as;
       }
       default:
@@ -60,23 +60,23 @@ export class FolderSaver {
   }
 
   private async ask(name: string): Promise<ConflictChoice> {
-    if (this.asked.has(name)) return "later";
-    this.asked.add(name);
+    if (this.openDialogs.has(name)) return "later";
+    this.openDialogs.add(name);
     try {
       return await resolveConflict(name, this.folder, this.session.documents);
     } finally {
-      this.asked.delete(name);
+      this.openDialogs.delete(name);
     }
   }
 
   private async saveAs(name: string, proposal: string): Promise<string | null> {
     const to = await requestName(name, proposal);
     if (to === null) return null;
-    if (to === name) return this.said(name, await this.folder.save(name));
-    return this.said(to, await this.folder.saveAs(name, to));
+    if (to === name) return this.reportResult(name, await this.folder.save(name));
+    return this.reportResult(to, await this.folder.saveAs(name, to));
   }
 
-  private async said(name: string, saved: SaveResult): Promise<string | null> {
+  private async reportResult(name: string, saved: SaveResult): Promise<string | null> {
     if (saved.kind === "conflict") return this.resolveConflict(name);
     if (saved.kind === "saved") return name;
     this.session.store.set("notice", words.notSaved(name, saved.why));
@@ -84,7 +84,7 @@ export class FolderSaver {
   }
 
   /** Returns true for changed samples, and for text that was typed into an empty page. */
-  private lacksName(name: string): boolean {
+  private needsName(name: string): boolean {
     return !this.folder.has(name) && (name === UNTITLED || name.startsWith("samples/"));
   }
 

@@ -22,7 +22,7 @@ export interface FolderControls {
   /** Save, and Save all. */
   buttons: HTMLElement;
   /** Messages that stay until their cause has ended. */
-  standing: HTMLElement;
+  messageArea: HTMLElement;
   /** Returns the mark after a name in choices. */
   markFor(name: string): string;
 }
@@ -30,28 +30,28 @@ export interface FolderControls {
 export function createFolderControls(session: Session, folder: Folder): FolderControls {
   const { store } = session;
   const saving = new FolderSaver(session, folder);
-  session.saveBy(async (name) => {
+  session.setSaver(async (name) => {
     const saved = await saving.save(name);
     if (saved) store.set("notice", words.saved([saved]));
   });
   const saveCurrent = () => session.save(store.get("document"));
   const save = element("button", { id: "save-button", onclick: () => void saveCurrent() }, words.save);
   const all = element("button", { id: "save-all-button", onclick: () => void saving.saveAll() });
-  const standing = element("div", { class: "standing" });
+  const messageArea = element("div", { class: "standing" });
   const draw = () => {
     const fileMarks = folder.fileMarks();
     const name = store.get("document");
     // A file that was dropped on the page is not in the folder, even if no text was typed.
-    const isToSave = fileMarks.has(name) || (session.documents.isOwn(name) && !folder.has(name));
+    const isToSave = fileMarks.has(name) || (session.documents.isUserFile(name) && !folder.has(name));
     if (folder.isDisconnected) showDownloadButtons(save, all, name, fileMarks);
     else showSaveButtons(save, all, name, isToSave, fileMarks);
-    standing.replaceChildren(...permanentMessages(session, folder, saving, fileMarks));
+    messageArea.replaceChildren(...permanentMessages(session, folder, saving, fileMarks));
   };
   const redrawTimer = new Debounced(draw);
   folder.on(() => redrawTimer.after(0));
   store.watch(["document"], draw);
   handleSaveKey(saveCurrent);
-  return { buttons: element("span", { class: "saving" }, save, all), standing, markFor: (name) => markTexts[folder.markFor(name)] };
+  return { buttons: element("span", { class: "saving" }, save, all), messageArea, markFor: (name) => markTexts[folder.markFor(name)] };
 }
 
 type FileMarks = Map<string, FileMark>;
@@ -74,18 +74,18 @@ function showDownloadButtons(save: HTMLButtonElement, all: HTMLButtonElement, na
   all.title = words.downloadTitle([...fileMarks.keys()].join(", "));
 }
 
-const sentence = (text: string, button: string, act: () => void): HTMLElement =>
+const messageRow = (text: string, button: string, act: () => void): HTMLElement =>
   element("div", { class: "notice", role: "status" }, text, element("button", { onclick: act }, button));
 
 function permanentMessages(session: Session, folder: Folder, saving: FolderSaver, fileMarks: FileMarks): HTMLElement[] {
   const found: HTMLElement[] = [];
   if (folder.isDisconnected) {
     const name = session.store.get("document");
-    found.push(sentence(words.ended, words.download, () => download(name, session.documents)));
+    found.push(messageRow(words.ended, words.download, () => download(name, session.documents)));
   }
   for (const [name, mark] of fileMarks) {
-    if (mark === "conflict") found.push(sentence(words.conflict(name), words.resolve, () => void saving.resolveConflict(name)));
-    if (mark === "gone") found.push(sentence(words.gone(name), words.goneSave, () => void saving.save(name)));
+    if (mark === "conflict") found.push(messageRow(words.conflict(name), words.resolve, () => void saving.resolveConflict(name)));
+    if (mark === "gone") found.push(messageRow(words.gone(name), words.saveAgain, () => void saving.save(name)));
   }
   return found;
 }

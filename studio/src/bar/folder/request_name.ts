@@ -13,12 +13,12 @@ const isValidName = (name: string): boolean =>
 export function requestName(name: string, proposal: string): Promise<string | null> {
   return new Promise((resolve) => {
     let chosen: string | null = null;
-    const fault = element("p", { class: "fault", role: "alert" });
+    const error = element("p", { class: "fault", role: "alert" });
     const input = element("input", { type: "text", value: proposal, required: true, "aria-label": words.nameLabel, spellcheck: "false" });
     const submit = (event: Event) => {
       event.preventDefault();
       const given = input.value.trim();
-      fault.textContent = isValidName(given) ? "" : words.nameWrong;
+      error.textContent = isValidName(given) ? "" : words.invalidName;
       if (!isValidName(given)) return input.focus();
       chosen = given;
       dialog.close();
@@ -27,7 +27,7 @@ export function requestName(name: string, proposal: string): Promise<string | nu
       "form",
       { class: "asked", onsubmit: submit },
       element("label", {}, element("span", {}, words.nameLabel), input),
-      fault,
+      error,
       element(
         "div",
         { class: "answers" },

@@ -1,6 +1,6 @@
 // File of machine data that the form edits: that of the setup, or one that the first change makes.
 
-import { kindOfFile } from "../../core/kinds";
+import { kindOfFile } from "../../core/file_kinds";
 import type { Session } from "../../core/session";
 import { texts } from "../../texts";
 import { requestData, type DataResult, type DataChange } from "./data_request";
@@ -89,6 +89,6 @@ export class DataFile {
     const before = await this.read();
     const count = ({ data }: DataResult) => data?.entries[change.section]?.length ?? 0;
     if (count(response) > count(before)) return response;
-    return { told: response.told, data: null, refusal: words.isThere(change.id) };
+    return { told: response.told, data: null, refusal: words.alreadyExists(change.id) };
   }
 }

@@ -18,10 +18,10 @@ export interface EntryEvents {
 export class EntryDialog {
   private readonly id: ValueField;
   private readonly fields: ValueField[];
-  private readonly fault = element("p", { class: "fault", role: "alert", hidden: true });
+  private readonly error = element("p", { class: "fault", role: "alert", hidden: true });
   private readonly dialog: HTMLDialogElement;
   private unit: EntryUnit;
-  private isAsking = false;
+  private isRequestPending = false;
 
   /** `entry` is null for a new entry; its lengths are initially in `unit`. */
   constructor(
@@ -42,7 +42,7 @@ export class EntryDialog {
       ...(entry ? [] : [this.id.element]),
       ...(section.has_unit ? [this.units()] : []),
       element("div", { class: "values" }, ...this.fields.map((field) => field.element)),
-      this.fault,
+      this.error,
       element(
         "div",
         { class: "buttons" },
@@ -90,22 +90,22 @@ export class EntryDialog {
   }
 
   private async submit(): Promise<void> {
-    if (this.isAsking) return;
+    if (this.isRequestPending) return;
     if (!this.entry && this.id.changed === undefined) return this.refuse(this.id, words.noId);
-    this.isAsking = true;
+    this.isRequestPending = true;
     const changed = this.fields.filter((field) => field.changed !== undefined);
     const values = Object.fromEntries(changed.map((field) => [field.name, field.changed!]));
     const refusal = await this.events.make(this.change(values));
     if (!refusal) this.dialog.close();
-    else this.refuse(await this.culprit(changed, refusal), refusal);
-    this.isAsking = false;
+    else this.refuse(await this.findInvalidField(changed, refusal), refusal);
+    this.isRequestPending = false;
   }
 
   /**
    * Returns the field that caused an error: the one that alone gives this error, or that it names; null:
    * several together.
    */
-  private async culprit(changed: ValueField[], refusal: string): Promise<ValueField | null> {
+  private async findInvalidField(changed: ValueField[], refusal: string): Promise<ValueField | null> {
     const isErrorOf = async (values: Record<string, string>) => (await this.events.findError(this.change(values))) === refusal;
     const isErrorOfAny = !this.entry && (await isErrorOf({}));
     for (const field of isErrorOfAny ? [] : changed) if (await isErrorOf({ [field.name]: field.changed! })) return field;
@@ -115,8 +115,8 @@ export class EntryDialog {
   /** Shows an error at a field, or below all fields. */
   private refuse(at: ValueField | null, why: string): void {
     for (const field of [this.id, ...this.fields]) field.refuse(field === at ? why : "");
-    this.fault.textContent = at ? "" : why;
-    this.fault.hidden = at !== null;
+    this.error.textContent = at ? "" : why;
+    this.error.hidden = at !== null;
     at?.input.focus();
   }
 }

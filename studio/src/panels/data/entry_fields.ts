@@ -19,7 +19,7 @@ export class ValueField {
   readonly element: HTMLElement;
   readonly input: HTMLInputElement | HTMLSelectElement;
   private readonly unit = element("span", { class: "unit" });
-  private readonly fault = element("p", { class: "fault", role: "alert" });
+  private readonly error = element("p", { class: "fault", role: "alert" });
   /** Value as in the file. */
   private displayed: string;
 
@@ -29,20 +29,20 @@ export class ValueField {
     id: string,
   ) {
     const { name, choices } = field;
-    this.fault.id = `${id}-fault`;
+    this.error.id = `${id}-fault`;
     const options = choices?.map((each): [string, string] => [each, each || words.none]);
     this.input = options ? choice(name, options, "", () => {}) : element("input", { type: "text", autocomplete: "off" });
     this.input.id = id;
     this.displayed = this.input.value;
     const hint = element("small", { id: `${id}-hint` }, field.meaning);
-    this.input.setAttribute("aria-describedby", `${hint.id} ${this.fault.id}`);
+    this.input.setAttribute("aria-describedby", `${hint.id} ${this.error.id}`);
     this.element = element(
       "div",
       { class: "value" },
       element("label", { for: id }, name),
       element("span", { class: "with-unit" }, this.input, this.unit),
       hint,
-      this.fault,
+      this.error,
     );
     this.refuse("");
   }
@@ -77,8 +77,8 @@ export class ValueField {
 
   /** Shows an error of the value; empty: none. */
   refuse(why: string): void {
-    this.fault.textContent = why;
-    this.fault.hidden = !why;
+    this.error.textContent = why;
+    this.error.hidden = !why;
     this.input.setAttribute("aria-invalid", String(why !== ""));
   }
 }

@@ -1,9 +1,9 @@
 // Machine data: a list of the data that a controller stores, and the entries of the chosen section.
 
 import "./data.css";
-import { choice, element, offer } from "../../core/dom";
+import { choice, element, setOptions } from "../../core/dom";
+import { namesOfKind, shortName } from "../../core/file_kinds";
 import { openFileDialog } from "../../core/files";
-import { namesOfKind, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { texts } from "../../texts";
@@ -29,7 +29,7 @@ class DataForm implements PanelForm {
   private readonly table = new EntryTable({
     edit: () => this.edit(),
     reset: () => this.reset(),
-    chosen: () => this.allowButtons(),
+    chosen: () => this.updateButtons(),
     onEmptied: () => this.addButton.focus(),
     unit: (entry) => this.toggleUnit(entry),
   });
@@ -46,7 +46,7 @@ class DataForm implements PanelForm {
   /** File of the shown data. */
   private shownName = "";
   private isVisible = false;
-  private question = 0;
+  private requestNumber = 0;
 
   constructor(
     private readonly store: Store,
@@ -76,12 +76,12 @@ class DataForm implements PanelForm {
     session.documents.on((name) => this.documentChanged(name));
   }
 
-  displayed(): void {
+  onDisplayed(): void {
     this.isVisible = true;
     this.refresh();
   }
 
-  hidden(): void {
+  onHidden(): void {
     this.isVisible = false;
   }
 
@@ -97,11 +97,11 @@ class DataForm implements PanelForm {
   }
 
   private async ask(): Promise<void> {
-    const question = ++this.question;
+    const requestNumber = ++this.requestNumber;
     const { name } = this.file;
     const response = await this.file.read();
     // A later request has the later data.
-    if (question !== this.question) return;
+    if (requestNumber !== this.requestNumber) return;
     this.shownName = name;
     this.show(response);
   }
@@ -110,10 +110,10 @@ class DataForm implements PanelForm {
     this.showFiles();
     this.data = response.data;
     this.content.hidden = !response.data;
-    this.problems.show(response.told, this.faultOf(response));
+    this.problems.show(response.told, this.errorOf(response));
     if (!response.data) return;
     const options = response.data.sections.map(({ name, title }): [string, string] => [name, title]);
-    offer(this.sections, options, this.sections.value || options[0][0]);
+    setOptions(this.sections, options, this.sections.value || options[0][0]);
     this.showSection();
   }
 
@@ -121,7 +121,7 @@ class DataForm implements PanelForm {
    * Returns the error to show. Errors in lines of the file are listed separately; others come from the
    * machine or the cell.
    */
-  private faultOf(response: DataResult): string {
+  private errorOf(response: DataResult): string {
     if (response.data) return "";
     return response.told.length > 0 ? words.unreadable(this.file.name) : response.refusal;
   }
@@ -131,7 +131,7 @@ class DataForm implements PanelForm {
     const names = namesOfKind("machine_data", session.documents);
     if (!file.isNew && !names.includes(file.name)) names.push(file.name);
     const options = names.map((name): [string, string] => [name, shortName(name)]);
-    offer(this.files, [["", words.newFile(file.newName)], ...options], session.setup.machine_data);
+    setOptions(this.files, [["", words.newFile(file.newName)], ...options], session.setup.machine_data);
     for (const each of [this.saveButton, ...this.convertButtons]) allow(each, !file.isNew);
     this.saveButton.title = file.isNew ? words.nothingToSave : words.saveHint(shortName(file.name));
   }
@@ -152,7 +152,7 @@ class DataForm implements PanelForm {
     this.table.show(section, this.data?.entries[section.name] ?? []);
   }
 
-  private allowButtons(): void {
+  private updateButtons(): void {
     const buttons = [this.editButton, this.resetButton, this.resetAllButton];
     for (const each of buttons) allow(each, this.table.chosen !== undefined);
   }

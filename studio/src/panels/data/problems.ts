@@ -6,8 +6,8 @@ import { texts } from "../../texts";
 
 export interface Problems {
   element: HTMLElement;
-  /** `fault`: why the data are missing; empty: they exist. */
-  show(told: EngineDiagnostic[], fault: string): void;
+  /** `error`: why the data are missing; empty: they exist. */
+  show(told: EngineDiagnostic[], error: string): void;
 }
 
 export function createProblems(): Problems {
@@ -16,9 +16,9 @@ export function createProblems(): Problems {
   const host = element("div", { class: "problems", role: "status" }, sentence, list);
   return {
     element: host,
-    show(told, fault) {
-      sentence.textContent = fault;
-      sentence.hidden = !fault;
+    show(told, error) {
+      sentence.textContent = error;
+      sentence.hidden = !error;
       list.replaceChildren(...told.map(problem));
     },
   };

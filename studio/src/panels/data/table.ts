@@ -72,7 +72,7 @@ export class EntryTable {
     this.section = section.name;
     const fields = visibleFields(section, entries);
     this.caption.textContent = words.table(section.title);
-    this.note.textContent = section.has_unit ? words.empty : words.notThere;
+    this.note.textContent = section.has_unit ? words.empty : words.noEntries;
     this.note.hidden = entries.length > 0;
     this.table.hidden = entries.length === 0;
     const headings = [words.id, ...fields.map(heading), ...(section.has_unit ? [words.unit] : [])];

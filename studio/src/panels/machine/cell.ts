@@ -1,11 +1,11 @@
 // Form of the cell's file: the bodies around the machine.
 
 import { arrange, element } from "../../core/dom";
-import { baseName, kindOfFile, namesOfKind, shortName, type FileKind } from "../../core/kinds";
+import { baseName, kindOfFile, namesOfKind, shortName, type FileKind } from "../../core/file_kinds";
 import { referenceTo, resolved } from "../../core/references";
 import { texts } from "../../texts";
 import { FileRow } from "./file_row";
-import { freeName } from "./file/paths";
+import { freeName } from "./file/file_names";
 import { tableAt, tablesAt, textAt, type TomlTable } from "./file/toml";
 import type { Context, Section } from "./form/context";
 import { Field } from "./form/field";
@@ -27,7 +27,7 @@ function createCellSection(context: Context): Section {
     context,
     {
       name: { label: words.name, kind: "text", isRequired: true },
-      clearance_mm: { label: words.clearance, kind: "number", unit: "mm", least: 0, meaning: words.clearanceHint, showsMeaning: true },
+      clearance_mm: { label: words.clearance, kind: "number", unit: "mm", min: 0, meaning: words.clearanceHint, showsMeaning: true },
     },
     home,
   );
@@ -45,7 +45,7 @@ function createCellSection(context: Context): Section {
     rows.show(head, { clearance_mm: 0 });
     for (const [key, field] of Object.entries(files)) {
       const reference = textAt(head, [key]);
-      field.offer(namesOfKind(key as FileKind, session.documents).map((name) => [name, shortName(name)]));
+      field.setOptions(namesOfKind(key as FileKind, session.documents).map((name) => [name, shortName(name)]));
       field.show(reference ? resolved(model.file("cell"), reference) : undefined);
     }
   };
@@ -70,7 +70,7 @@ function createMeshes(context: Context, add: (name: string, file: string) => voi
     element: host,
     draw() {
       const used = meshNames(model.value("cell"), model.file("cell"));
-      arrange(host, session.documents.ownNames().filter((name) => isMesh(name) && !used.includes(name)).map(meshButton));
+      arrange(host, session.documents.userFileNames().filter((name) => isMesh(name) && !used.includes(name)).map(meshButton));
     },
   };
 }
@@ -123,6 +123,6 @@ export function createCell(context: Context, chosen: ItemSelection): FileForm {
       row.draw();
       if (cell.value) for (const each of sections) each.draw();
     },
-    told: (faults) => row.tell(faults),
+    setDiagnostics: (errors) => row.setDiagnostics(errors),
   };
 }

@@ -32,8 +32,8 @@ export function createMachineForm(store: Store, session: Session): PanelForm {
   const chosen = new ItemSelection();
   const handle = new Handle(context, chosen);
   const checking = new CheckRunner(context, (checked) => {
-    machine.told(checked.faults);
-    cell.told(checked.faults);
+    machine.setDiagnostics(checked.errors);
+    cell.setDiagnostics(checked.errors);
   });
   const machine = createMachine(context, chosen, checking.result);
   const cell = createCell(context, chosen);
@@ -58,11 +58,11 @@ export function createMachineForm(store: Store, session: Session): PanelForm {
   });
   return {
     element: element("div", { class: "machine-form" }, tabs.bar, ...tabs.panels),
-    displayed: () => {
+    onDisplayed: () => {
       isVisible = true;
       model.show(true);
     },
-    hidden: () => {
+    onHidden: () => {
       isVisible = false;
       model.show(false);
       chosen.choose(null);

@@ -18,7 +18,7 @@ const words = texts.machine;
 
 /** Form that also shows the results of the check for its files. */
 export interface FileForm extends Section {
-  told(faults: EngineDiagnostic[]): void;
+  setDiagnostics(errors: EngineDiagnostic[]): void;
 }
 
 function joinSections(...sections: Section[]): Section {
@@ -66,6 +66,6 @@ export function createMachine(context: Context, chosen: ItemSelection, check: Ch
       made ??= make();
       draw();
     },
-    told: (faults) => row.tell(faults),
+    setDiagnostics: (errors) => row.setDiagnostics(errors),
   };
 }

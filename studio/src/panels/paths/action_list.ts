@@ -7,12 +7,12 @@ import { row } from "./fields";
 const words = texts.paths.form;
 const commonActions = ["waterjet_on", "waterjet_off", "abrasive_on", "abrasive_off"];
 /** Each list of suggestions has its own id. */
-let lists = 0;
+let listCount = 0;
 
 export class ActionList {
   readonly element: HTMLElement;
   private actions: readonly string[] = [];
-  private readonly listId = `path-actions-${++lists}`;
+  private readonly listId = `path-actions-${++listCount}`;
   private readonly list = element("span", { class: "chips" });
   private readonly input = element("input", {
     class: "text",

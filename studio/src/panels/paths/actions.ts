@@ -36,7 +36,7 @@ export class PathActions implements TreeActions {
 
   private get displayed(): DisplayedPath | null {
     const displayed = this.store.get("path");
-    return displayed && !displayed.fault ? displayed : null;
+    return displayed && !displayed.error ? displayed : null;
   }
 
   private edit(label: string, text: string, range: Range | null = null): void {
@@ -153,7 +153,7 @@ export class PathActions implements TreeActions {
     const { place, count } = range.count > 1 ? range : all;
     const made = addLeads(displayed.text, displayed.file, displayed.walk, place, count, choice);
     if (typeof made === "string") this.edit(words.labels.leads, made);
-    else this.say(made.fault);
+    else this.say(made.error);
   }
 }
 

@@ -10,7 +10,7 @@ export interface Camera {
   /** 1: all lines just fit as first shown. */
   zoom: number;
   /** Point at the centre of the picture, to the right and up from the middle of the lines. */
-  aside_mm: readonly [right: number, up: number];
+  pan_mm: readonly [right: number, up: number];
 }
 
 export interface Size {
@@ -34,7 +34,7 @@ const MARGIN = 0.88;
 /** Returns a slightly oblique view of the faces that look to this side. */
 export function initialCamera(side: string): Camera {
   const elevation_rad = side === "z" ? STEEP_ELEVATION_rad : side === "-z" ? -STEEP_ELEVATION_rad : DEFAULT_ELEVATION_rad;
-  return { yaw_rad: (SIDE_YAWS_rad[side] ?? -Math.PI / 2) + DEFAULT_YAW_OFFSET_rad, elevation_rad, zoom: 1, aside_mm: [0, 0] };
+  return { yaw_rad: (SIDE_YAWS_rad[side] ?? -Math.PI / 2) + DEFAULT_YAW_OFFSET_rad, elevation_rad, zoom: 1, pan_mm: [0, 0] };
 }
 
 /** Returns the camera after a drag across the picture. */
@@ -94,14 +94,14 @@ export function zoomCamera(camera: Camera, factor: number, extent: Extent, size:
   const zoom = Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, camera.zoom * factor));
   const [before, after] = [pixelsPerMm(extent, camera, size), pixelsPerMm(extent, { ...camera, zoom }, size)];
   const shift = 1 / before - 1 / after;
-  const [right, up] = camera.aside_mm;
-  return { ...camera, zoom, aside_mm: [right + (x - size.width / 2) * shift, up - (y - size.height / 2) * shift] };
+  const [right, up] = camera.pan_mm;
+  return { ...camera, zoom, pan_mm: [right + (x - size.width / 2) * shift, up - (y - size.height / 2) * shift] };
 }
 
 /** Returns a line in the picture: x and y of each position. */
-export function drawn(polyline_mm: Float64Array, extent: Extent, camera: Camera, size: Size): Float32Array {
+export function projectLine(polyline_mm: Float64Array, extent: Extent, camera: Camera, size: Size): Float32Array {
   const scale = pixelsPerMm(extent, camera, size);
-  const [right, up] = camera.aside_mm;
+  const [right, up] = camera.pan_mm;
   const line = new Float32Array((polyline_mm.length / 3) * 2);
   let at = 0;
   project(polyline_mm, extent.middle, camera, (x, y) => {

@@ -17,7 +17,7 @@ export function contourText({ face, isHole, edges, length_mm, depth_mm, lean_deg
 
 export interface ContourListEvents {
   /** Called with the contour of the row with the pointer or the focus; -1: none. */
-  pointed(contour: number): void;
+  onPointed(contour: number): void;
   onToggled(contour: number, isCut: boolean): void;
 }
 
@@ -33,8 +33,8 @@ export class ContourList {
     this.boxes = made.map(({ box }) => box);
     this.rows = made.map(({ row, box }, i) => {
       box.disabled = !areSelectable;
-      const point = () => this.on.pointed(i);
-      const leave = () => this.on.pointed(-1);
+      const point = () => this.on.onPointed(i);
+      const leave = () => this.on.onPointed(-1);
       return element("li", { onpointerenter: point, onpointerleave: leave, onfocusin: point, onfocusout: leave }, row);
     });
     this.element.replaceChildren(...this.rows);

@@ -28,16 +28,16 @@ function contourRequest({ drawing, curve_tolerance_mm, contours: { kind, side, f
 export class ContourPicker {
   readonly element: HTMLElement;
   private readonly view = new ContourView({
-    pointed: (contour) => this.point(contour, true),
+    onPointed: (contour) => this.point(contour, true),
     onClicked: (contour) => this.toggle(contour),
   });
   private readonly list = new ContourList({
-    pointed: (contour) => this.point(contour, false),
-    onToggled: (contour, isCut) => this.tick(contour, isCut),
+    onPointed: (contour) => this.point(contour, false),
+    onToggled: (contour, isCut) => this.setSelected(contour, isCut),
   });
   private readonly status = element("p", { class: "status", role: "status" });
-  private readonly fault = element("p", { class: "fault", role: "alert", hidden: true });
-  private readonly pointedAt = element("p", { class: "pointed-at", "aria-hidden": "true" });
+  private readonly error = element("p", { class: "fault", role: "alert", hidden: true });
+  private readonly pointedLabel = element("p", { class: "pointed-at", "aria-hidden": "true" });
   private readonly notes = element("ul", { class: "notes" });
   private readonly all = element("button", { type: "button", onclick: () => this.pick(this.isCut.map(() => true)) }, words.all);
   private readonly none = element("button", { type: "button", onclick: () => this.pick(this.isCut.map(() => false)) }, words.none);
@@ -50,7 +50,7 @@ export class ContourPicker {
   /** Wanted request, and the request of the known result, as text. Empty: none. */
   private requested = "";
   private known = "";
-  private isAsking = false;
+  private isRequestPending = false;
 
   /** `picked`: an edge of each contour that is cut; undefined: all are. */
   constructor(
@@ -58,9 +58,9 @@ export class ContourPicker {
     private readonly picked: (edges: string[] | undefined) => void,
   ) {
     const buttons = element("div", { class: "buttons" }, this.all, this.none);
-    const picture = element("div", { class: "picture" }, this.view.element, this.pointedAt);
+    const picture = element("div", { class: "picture" }, this.view.element, this.pointedLabel);
     this.found = element("div", { class: "found" }, picture, element("div", { class: "listed" }, buttons, this.list.element), this.notes);
-    this.element = element("section", { class: "contour-picker", "aria-label": words.title }, this.status, this.fault, this.found);
+    this.element = element("section", { class: "contour-picker", "aria-label": words.title }, this.status, this.error, this.found);
   }
 
   /** A source of null: nothing can be chosen. */
@@ -87,8 +87,8 @@ export class ContourPicker {
    * changes nothing.
    */
   private async ask(): Promise<void> {
-    if (this.isAsking) return;
-    this.isAsking = true;
+    if (this.isRequestPending) return;
+    this.isRequestPending = true;
     while (this.requested !== "" && this.requested !== this.known) {
       const asked = this.requested;
       this.showState();
@@ -96,11 +96,11 @@ export class ContourPicker {
       if (asked !== this.requested) continue;
       this.known = asked;
       this.contours = "refused" in response ? [] : response.contours;
-      this.fault.textContent = "refused" in response ? response.refused : "";
+      this.error.textContent = "refused" in response ? response.refused : "";
       this.notes.replaceChildren(...("refused" in response ? [] : response.notes).map((note) => element("li", {}, note)));
       this.accept(asked);
     }
-    this.isAsking = false;
+    this.isRequestPending = false;
     this.showState();
   }
 
@@ -118,10 +118,10 @@ export class ContourPicker {
   }
 
   private toggle(contour: number): void {
-    if (areSelectable(this.contours)) this.tick(contour, !this.isCut[contour]);
+    if (areSelectable(this.contours)) this.setSelected(contour, !this.isCut[contour]);
   }
 
-  private tick(contour: number, isCut: boolean): void {
+  private setSelected(contour: number, isCut: boolean): void {
     this.pick(toggleContour(this.contours, this.isCut, contour, isCut));
   }
 
@@ -145,7 +145,7 @@ export class ContourPicker {
     this.isCut = selectedContours(contours, this.picks);
     this.view.show(this.isCut, highlighted);
     this.list.show(this.isCut, highlighted);
-    this.pointedAt.textContent = highlighted < 0 ? words.hint : contourText(contours[highlighted], this.units);
+    this.pointedLabel.textContent = highlighted < 0 ? words.hint : contourText(contours[highlighted], this.units);
     this.element.classList.toggle("pointed", highlighted >= 0);
   }
 
@@ -153,7 +153,7 @@ export class ContourPicker {
     const isKnown = this.known === this.requested;
     const { contours } = this;
     this.found.hidden = !isKnown || contours.length === 0;
-    this.fault.hidden = !isKnown || this.fault.textContent === "";
+    this.error.hidden = !isKnown || this.error.textContent === "";
     const cut = this.isCut.filter(Boolean).length;
     const count = areSelectable(contours) ? words.cut(cut, contours.length) : words.unnumbered(contours.length);
     this.status.textContent = !isKnown ? words.asking : contours.length > 0 ? count : "";

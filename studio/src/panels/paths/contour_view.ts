@@ -3,7 +3,17 @@
 import { element } from "../../core/dom";
 import { onTheme, themeColour } from "../../core/theme";
 import { texts } from "../../texts";
-import { drawn, lineExtent, initialCamera, nearestLine, turned, zoomCamera, type Camera, type Extent, type Size } from "./contour_camera";
+import {
+  projectLine,
+  lineExtent,
+  initialCamera,
+  nearestLine,
+  turned,
+  zoomCamera,
+  type Camera,
+  type Extent,
+  type Size,
+} from "./contour_camera";
 
 const words = texts.paths.contours.picture;
 
@@ -15,7 +25,7 @@ const ZOOM_FACTOR = 1.25;
 
 export interface ContourViewEvents {
   /** Called with the contour under the pointer; -1: none. */
-  pointed(contour: number): void;
+  onPointed(contour: number): void;
   onClicked(contour: number): void;
 }
 
@@ -31,8 +41,8 @@ export class ContourView {
   /** Position of the pointer press, and whether it has turned the picture since. */
   private held: { x: number; y: number; turns: boolean } | null = null;
   private frame = 0;
-  private readonly resizing = new ResizeObserver(() => this.draw());
-  private readonly endTheme = onTheme(() => this.draw());
+  private readonly resizeObserver = new ResizeObserver(() => this.draw());
+  private readonly removeThemeListener = onTheme(() => this.draw());
 
   constructor(private readonly on: ContourViewEvents) {
     this.element = element("canvas", {
@@ -44,12 +54,12 @@ export class ContourView {
       onpointermove: (event) => this.move(event as PointerEvent),
       onpointerup: (event) => this.up(event as PointerEvent),
       onpointercancel: () => (this.held = null),
-      onpointerleave: () => this.on.pointed(-1),
-      ondblclick: () => this.look(initialCamera(this.side)),
-      onwheel: (event) => this.wheel(event as WheelEvent),
+      onpointerleave: () => this.on.onPointed(-1),
+      ondblclick: () => this.setCamera(initialCamera(this.side)),
+      onwheel: (event) => this.onWheel(event as WheelEvent),
       onkeydown: (event) => this.key(event as KeyboardEvent),
     });
-    this.resizing.observe(this.element);
+    this.resizeObserver.observe(this.element);
   }
 
   /** Shows other lines, seen from a side. */
@@ -57,7 +67,7 @@ export class ContourView {
     this.lines_mm = lines_mm;
     this.side = side;
     this.extent = lineExtent(lines_mm, initialCamera(side));
-    this.look(initialCamera(side));
+    this.setCamera(initialCamera(side));
   }
 
   show(isCut: readonly boolean[], highlighted: number): void {
@@ -67,8 +77,8 @@ export class ContourView {
   }
 
   end(): void {
-    this.resizing.disconnect();
-    this.endTheme();
+    this.resizeObserver.disconnect();
+    this.removeThemeListener();
     cancelAnimationFrame(this.frame);
   }
 
@@ -76,7 +86,7 @@ export class ContourView {
     return { width: this.element.clientWidth, height: this.element.clientHeight };
   }
 
-  private look(camera: Camera): void {
+  private setCamera(camera: Camera): void {
     this.camera = camera;
     this.draw();
   }
@@ -95,10 +105,10 @@ export class ContourView {
 
   private move(event: PointerEvent): void {
     const [x, y] = this.at(event);
-    if (!this.held) return this.on.pointed(nearestLine(this.lines, x, y, HIT_DISTANCE_px));
+    if (!this.held) return this.on.onPointed(nearestLine(this.lines, x, y, HIT_DISTANCE_px));
     const { held } = this;
     if (!held.turns && Math.hypot(x - held.x, y - held.y) < MIN_DRAG_px) return;
-    this.look(turned(this.camera, x - held.x, y - held.y));
+    this.setCamera(turned(this.camera, x - held.x, y - held.y));
     this.held = { x, y, turns: true };
   }
 
@@ -110,9 +120,9 @@ export class ContourView {
     if (contour >= 0) this.on.onClicked(contour);
   }
 
-  private wheel(event: WheelEvent): void {
+  private onWheel(event: WheelEvent): void {
     event.preventDefault();
-    this.look(zoomCamera(this.camera, event.deltaY < 0 ? ZOOM_FACTOR : 1 / ZOOM_FACTOR, this.extent, this.size, ...this.at(event)));
+    this.setCamera(zoomCamera(this.camera, event.deltaY < 0 ? ZOOM_FACTOR : 1 / ZOOM_FACTOR, this.extent, this.size, ...this.at(event)));
   }
 
   private key(event: KeyboardEvent): void {
@@ -125,9 +135,10 @@ export class ContourView {
     const zoomKeys: Record<string, number> = { "+": ZOOM_FACTOR, "=": ZOOM_FACTOR, "-": 1 / ZOOM_FACTOR };
     const { width, height } = this.size;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.key in turns) this.look(turned(this.camera, ...turns[event.key]));
-    else if (event.key in zoomKeys) this.look(zoomCamera(this.camera, zoomKeys[event.key], this.extent, this.size, width / 2, height / 2));
-    else if (event.key === "0") this.look(initialCamera(this.side));
+    if (event.key in turns) this.setCamera(turned(this.camera, ...turns[event.key]));
+    else if (event.key in zoomKeys)
+      this.setCamera(zoomCamera(this.camera, zoomKeys[event.key], this.extent, this.size, width / 2, height / 2));
+    else if (event.key === "0") this.setCamera(initialCamera(this.side));
     else return;
     event.preventDefault();
   }
@@ -147,7 +158,7 @@ export class ContourView {
     canvas.height = Math.round(size.height * ratio);
     context.scale(ratio, ratio);
     context.lineJoin = "round";
-    this.lines = this.lines_mm.map((line) => drawn(line, this.extent, this.camera, size));
+    this.lines = this.lines_mm.map((line) => projectLine(line, this.extent, this.camera, size));
     const [accentColour, dimColour] = [themeColour("--accent"), themeColour("--dim")];
     const stroke = (i: number, width: number) => {
       context.strokeStyle = this.isCut[i] ? accentColour : dimColour;

@@ -1,7 +1,7 @@
 // Makes a path from a drawing: its parts to cut, and the options. The result is a path file.
 
 import { check, choice, element } from "../../core/dom";
-import { namesOfKind, shortName } from "../../core/kinds";
+import { namesOfKind, shortName } from "../../core/file_kinds";
 import type { Session } from "../../core/session";
 import type { Setup } from "../../core/setup";
 import type { Store, Units } from "../../core/store";
@@ -39,7 +39,7 @@ export interface DrawingChoice {
   /** For a solid that need not be flat. */
   contours?: ContourChoice;
   /** True if paths between cuts avoid the machine and cell of the setup. */
-  past?: boolean;
+  avoidsCollisions?: boolean;
   /** Part that had contours removed, and an edge of each remaining one. */
   picked?: { drawing: string; edges: string[] };
 }
@@ -65,7 +65,7 @@ const numbers: Partial<Record<NumberKey, [quantity: Quantity, without: number | 
 const commonKeys: NumberKey[] = ["thickness_mm", "quality"];
 const own: NumberKey[] = ["speed_mm_min", "kerf_mm", "pierce_s"];
 const ways: NumberKey[] = ["lead_mm", "safe_height_mm", "cut_height_mm", "bevel_deg"];
-const rare: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
+const rareKeys: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
 
 /** True for parts, which the native engine reads. */
 const isSolid = (name: string): boolean => /\.(step|stp|iges|igs)$/i.test(name);
@@ -84,14 +84,19 @@ const haveSameContours = (a: ContourChoice | undefined, b: ContourChoice | undef
 
 /** Returns the options that apply to the drawing, of all that were chosen for this one and others. */
 function drawingRequest(drawing: string, choice: DrawingChoice, { machine, cell, machine_data }: Readonly<Setup>) {
-  const { material, up, flip, contours, picked, past, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
-  const common = { drawing, ...rest, material: material || undefined, place: past ? { machine, cell, machine_data } : undefined };
+  const { material, up, flip, contours, picked, avoidsCollisions, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
+  const common = {
+    drawing,
+    ...rest,
+    material: material || undefined,
+    place: avoidsCollisions ? { machine, cell, machine_data } : undefined,
+  };
   if (isSolid(drawing) && contours) return { ...common, contours: { ...contours, edges: selectedEdgesFor(drawing, choice) } };
   const jetOptions = { straighten: material ? straighten : undefined, moving_pierce, bevel_deg };
   return isSolid(drawing) ? { ...common, ...jetOptions, up, flip } : { ...common, ...jetOptions, unit_mm, layers };
 }
 
-export const firstDrawingChoice: DrawingChoice = { material: "", origin_mm: [0, 0, 0] };
+export const defaultDrawingChoice: DrawingChoice = { material: "", origin_mm: [0, 0, 0] };
 
 export interface DrawingEvents {
   /** Called with the choice, to offer it again. */
@@ -126,24 +131,26 @@ export class DrawingDialog {
     (up) => this.set({ up: up || undefined }),
   );
   private readonly flip = check(words.flip, (flip) => this.set({ flip: flip || undefined }));
-  private readonly ofPlate = element("div", { class: "group" }, this.up.element, this.flip.row);
+  private readonly plateGroup = element("div", { class: "group" }, this.up.element, this.flip.row);
   private readonly contours = new ContourFields((contours) =>
     this.set(haveSameContours(contours, this.choice.contours) ? { contours } : { contours, picked: undefined }),
   );
   private readonly picker: ContourPicker;
-  private readonly ofSolid = element("div", { class: "group" }, this.contours.element, this.ofPlate);
+  private readonly solidGroup = element("div", { class: "group" }, this.contours.element, this.plateGroup);
   private readonly straighten = check(words.straighten, (straighten) => this.set({ straighten: straighten || undefined }));
   private readonly moving = check(words.movingPierce, (moving) => this.set({ moving_pierce: moving || undefined }));
-  private readonly past = check(words.past, (past) => this.set({ past: past || undefined }));
+  private readonly avoidsCollisions = check(words.avoidsCollisions, (avoidsCollisions) =>
+    this.set({ avoidsCollisions: avoidsCollisions || undefined }),
+  );
   private readonly accuracy = element("div", { class: "group" }, this.moving.row, this.straighten.row);
   private readonly refused = element("p", { class: "fault", role: "alert", hidden: true });
   private readonly make = element("button", { type: "submit", class: "primary" }, words.make);
-  private readonly ofMaterial = element("div", { class: "group" });
-  private readonly ownGroup = element("div", { class: "group" });
+  private readonly materialGroup = element("div", { class: "group" });
+  private readonly customGroup = element("div", { class: "group" });
   /** True if own values override those of the material. */
-  private overrules = false;
+  private overridesMaterial = false;
   private readonly own = check(words.own, (on) => {
-    this.overrules = on;
+    this.overridesMaterial = on;
     this.set(on ? {} : { speed_mm_min: undefined, kerf_mm: undefined, pierce_s: undefined });
   });
   private materials: string[] = [];
@@ -158,13 +165,13 @@ export class DrawingDialog {
     for (const [key, known] of Object.entries(numbers) as [NumberKey, [Quantity, number | undefined]][]) {
       this.rows.set(key, new NumberRow(words.numbers[key as keyof typeof words.numbers], known[0], (value) => this.set({ [key]: value })));
     }
-    this.overrules = own.some((key) => choice[key] !== undefined);
+    this.overridesMaterial = own.some((key) => choice[key] !== undefined);
     this.picker = new ContourPicker(session, (edges) => this.set({ picked: edges && { drawing: this.drawing, edges } }));
     this.element = this.build();
     document.body.append(this.element);
     this.element.showModal();
     this.show();
-    void this.askMaterials();
+    void this.loadMaterials();
   }
 
   private build(): HTMLDialogElement {
@@ -174,21 +181,21 @@ export class DrawingDialog {
       this.drawing = name;
       this.show();
     });
-    this.ownGroup.append(...of(own));
-    this.ofMaterial.append(...of(commonKeys), this.own.row);
+    this.customGroup.append(...of(own));
+    this.materialGroup.append(...of(commonKeys), this.own.row);
     const form = element(
       "form",
       { class: "form", onsubmit: (event) => this.submit(event) },
       element("label", { class: "field" }, element("span", { class: "field-name" }, words.drawing), chooser),
       this.material.element,
-      this.ofMaterial,
-      this.ownGroup,
+      this.materialGroup,
+      this.customGroup,
       this.accuracy,
-      this.ofSolid,
+      this.solidGroup,
       this.origin.element,
-      this.past.row,
+      this.avoidsCollisions.row,
       element("details", {}, element("summary", {}, words.ways), ...of(ways)),
-      element("details", {}, element("summary", {}, words.reading), this.unit.element, this.layers.element, ...of(rare)),
+      element("details", {}, element("summary", {}, words.reading), this.unit.element, this.layers.element, ...of(rareKeys)),
       this.refused,
       element("div", { class: "buttons" }, this.make, element("button", { type: "button", onclick: () => this.element.close() }, words.cancel)),
     );
@@ -201,7 +208,7 @@ export class DrawingDialog {
     this.element.remove();
   }
 
-  private async askMaterials(): Promise<void> {
+  private async loadMaterials(): Promise<void> {
     this.materials = await materials(this.session);
     this.show();
   }
@@ -215,13 +222,13 @@ export class DrawingDialog {
   private show(): void {
     const units = this.store.get("units");
     for (const [key, row] of this.rows) row.show({ value: this.choice[key], inherited: numbers[key]![1] }, units);
-    this.material.offer([["", words.noMaterial], ...this.materials.map((name) => [name, name] as const)], this.choice.material);
-    this.ofMaterial.hidden = this.choice.material === "";
-    this.own.box.checked = this.overrules;
-    this.ownGroup.hidden = !this.overrules && this.choice.material !== "";
+    this.material.setOptions([["", words.noMaterial], ...this.materials.map((name) => [name, name] as const)], this.choice.material);
+    this.materialGroup.hidden = this.choice.material === "";
+    this.own.box.checked = this.overridesMaterial;
+    this.customGroup.hidden = !this.overridesMaterial && this.choice.material !== "";
     const isSurface = isSolid(this.drawing) && this.choice.contours !== undefined;
-    this.ofSolid.hidden = !isSolid(this.drawing);
-    this.ofPlate.hidden = isSurface;
+    this.solidGroup.hidden = !isSolid(this.drawing);
+    this.plateGroup.hidden = isSurface;
     this.contours.show(this.choice.contours, units);
     this.showPicker(units);
     this.accuracy.hidden = isSurface;
@@ -232,7 +239,7 @@ export class DrawingDialog {
     this.up.show(this.choice.up ?? "");
     this.flip.box.checked = this.choice.flip ?? false;
     this.origin.show(this.choice.origin_mm, units);
-    this.past.box.checked = this.choice.past ?? false;
+    this.avoidsCollisions.box.checked = this.choice.avoidsCollisions ?? false;
     this.unit.show(this.choice.unit_mm ? String(this.choice.unit_mm) : "");
     this.layers.show(this.choice.layers?.join(", ") ?? "", words.allLayers);
   }

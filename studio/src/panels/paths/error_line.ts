@@ -8,7 +8,7 @@ export class ErrorLine {
   readonly element = element("p", { class: "fault", role: "alert" });
 
   show({ walk }: DisplayedPath, place: TargetId): void {
-    this.element.textContent = walk.faults.find((fault) => isSameTarget(fault.place, place))?.text ?? "";
+    this.element.textContent = walk.errors.find((error) => isSameTarget(error.place, place))?.text ?? "";
     this.element.hidden = this.element.textContent === "";
   }
 }

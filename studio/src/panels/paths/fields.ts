@@ -1,6 +1,6 @@
 // Fields of a form that are updated in place, so that a user does not lose the typed text.
 
-import { choice, element, offer } from "../../core/dom";
+import { choice, element, setOptions } from "../../core/dom";
 import type { Units } from "../../core/store";
 import { length, lengthUnit, toMm } from "../../core/units";
 import { texts } from "../../texts";
@@ -154,8 +154,8 @@ export class ChoiceRow<Value extends string> {
   }
 
   /** Sets new options and the value. */
-  offer(options: readonly (readonly [Value, string])[], value: Value): void {
-    offer(this.select, options, value);
+  setOptions(options: readonly (readonly [Value, string])[], value: Value): void {
+    setOptions(this.select, options, value);
   }
 }
 

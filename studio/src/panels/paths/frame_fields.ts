@@ -26,7 +26,7 @@ export class FrameFields {
   private readonly origin = new ChoiceRow<Origin>(own.origin, [["control", own.origins.control], ["program", own.origins.program]], (origin) =>
     this.change({ set_offset_mm: origin === "program" ? [0, 0, 0] : undefined }),
   );
-  private readonly place = new NumbersRow(own.place, ["X", "Y", "Z"], "length", (values) => this.setPlace(values));
+  private readonly place = new NumbersRow(own.place, ["X", "Y", "Z"], "length", (values) => this.setOffsetPosition(values));
   private readonly note = element("p", { class: "note" });
 
   constructor(private readonly change: (change: FrameChange) => void) {
@@ -53,7 +53,7 @@ export class FrameFields {
   }
 
   /** An emptied field keeps its value. */
-  private setPlace(values: (number | undefined)[]): void {
+  private setOffsetPosition(values: (number | undefined)[]): void {
     const before = this.at?.frame.set_offset_mm;
     if (!this.at || !before) return;
     if (values.includes(undefined)) return this.show(this.at);

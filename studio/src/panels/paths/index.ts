@@ -3,7 +3,7 @@
 
 import "./paths.css";
 import { choice, element } from "../../core/dom";
-import { namesOfKind, shortName } from "../../core/kinds";
+import { namesOfKind, shortName } from "../../core/file_kinds";
 import { watchPath } from "../../core/path_editing";
 import type { DisplayedPath } from "../../core/displayed_path";
 import type { Session } from "../../core/session";
@@ -13,7 +13,7 @@ import { texts } from "../../texts";
 import type { PanelForm } from "../form";
 import { PathActions } from "./actions";
 import { TargetSelection } from "./target_selection";
-import { DrawingDialog, drawingFiles, firstDrawingChoice } from "./drawing_dialog";
+import { DrawingDialog, drawingFiles, defaultDrawingChoice } from "./drawing_dialog";
 import type { GeneratedPath } from "./engine_requests";
 import { SetupPoints } from "./known_points";
 import { LeadsForm } from "./leads_form";
@@ -34,7 +34,7 @@ class PathsPanel {
   private readonly actions: PathActions;
   private readonly files = element("div", { class: "files" });
   private readonly said = element("div", { class: "said", role: "status" });
-  private readonly fault = element("p", { class: "fault", role: "alert" });
+  private readonly error = element("p", { class: "fault", role: "alert" });
   private readonly toolbar: PathToolbar;
   private readonly tree: PathTree;
   private readonly known: SetupPoints;
@@ -43,7 +43,7 @@ class PathsPanel {
   private readonly leads: LeadsForm;
   private readonly write: WriteForm;
   private readonly body: HTMLElement;
-  private drawingChoice = firstDrawingChoice;
+  private drawingChoice = defaultDrawingChoice;
 
   constructor(
     private readonly store: Store,
@@ -66,7 +66,7 @@ class PathsPanel {
     const forms = Object.values(this.forms).map((form) => form.element);
     const parts = [this.toolbar.element, this.tree.element, this.heading, ...forms, this.leads.element, this.write.element];
     this.body = element("div", {}, ...parts);
-    this.element = element("div", { class: "paths" }, this.files, this.said, this.fault, this.body);
+    this.element = element("div", { class: "paths" }, this.files, this.said, this.error, this.body);
     this.listen();
   }
 
@@ -80,20 +80,20 @@ class PathsPanel {
       if (!this.files.querySelector(`option[value="${CSS.escape(name)}"]`)) this.showFiles();
     });
     store.on("drawing", (name) => {
-      if (name) this.askDrawing(name);
+      if (name) this.openDrawingDialog(name);
     });
   }
 
-  displayed(): void {
+  onDisplayed(): void {
     this.store.set("showPath", true);
     void this.write.begin();
-    this.known.displayed();
+    this.known.onDisplayed();
     this.show();
   }
 
-  hidden(): void {
+  onHidden(): void {
     this.store.set("showPath", false);
-    this.known.hidden();
+    this.known.onHidden();
   }
 
   /** `table` is text in columns, which may be wider than the side panel. */
@@ -114,7 +114,7 @@ class PathsPanel {
     this.files.replaceChildren(
       select,
       button(words.file.new, words.file.newTitle, () => this.begin()),
-      button(words.file.drawing, words.file.drawingTitle, () => this.askDrawing(drawingFiles(session)[0] ?? "")),
+      button(words.file.drawing, words.file.drawingTitle, () => this.openDrawingDialog(drawingFiles(session)[0] ?? "")),
       button(words.file.save, words.file.saveTitle, () => void session.save(name), name === ""),
     );
     const again = [...this.files.children].find((child) => child.textContent === focused);
@@ -125,8 +125,8 @@ class PathsPanel {
     const displayed = this.store.get("path");
     this.say("");
     this.body.hidden = displayed === null;
-    this.fault.hidden = !displayed?.fault;
-    this.fault.textContent = displayed?.fault ?? "";
+    this.error.hidden = !displayed?.error;
+    this.error.textContent = displayed?.error ?? "";
     this.toolbar.show(displayed);
     this.tree.show(displayed);
     this.showProperties(displayed);
@@ -165,7 +165,7 @@ class PathsPanel {
     else this.store.set("notice", texts.run.notHere);
   }
 
-  private askDrawing(name: string): void {
+  private openDrawingDialog(name: string): void {
     new DrawingDialog(this.store, this.session, name, this.drawingChoice, {
       chosen: (chosen) => (this.drawingChoice = chosen),
       made: (path, drawing) => this.drawn(path, drawing),

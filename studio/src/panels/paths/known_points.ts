@@ -10,7 +10,7 @@ const toKnownPoints = (entries: readonly Entry[] | undefined): KnownPoint[] =>
 export class SetupPoints {
   private known: KnownPoints | null = noPoints;
   private isVisible = false;
-  private question = 0;
+  private requestNumber = 0;
   private asked = "";
 
   constructor(
@@ -34,12 +34,12 @@ export class SetupPoints {
     return this.session.setup.machine_data;
   }
 
-  displayed(): void {
+  onDisplayed(): void {
     this.isVisible = true;
     this.refresh();
   }
 
-  hidden(): void {
+  onHidden(): void {
     this.isVisible = false;
   }
 
@@ -53,11 +53,11 @@ export class SetupPoints {
   }
 
   private async ask(): Promise<void> {
-    const question = ++this.question;
+    const requestNumber = ++this.requestNumber;
     const { file } = this;
     const data = file ? (await requestData(this.session, file, [])).data : null;
     // A later request has the later points.
-    if (question !== this.question) return;
+    if (requestNumber !== this.requestNumber) return;
     const found = data && { fixed: toKnownPoints(data.entries.FIXED), reference: toKnownPoints(data.entries.REFERENCE) };
     this.known = file ? found : noPoints;
     this.changed();

@@ -2,7 +2,7 @@
 
 import { element } from "../../core/dom";
 import type { JsonValue } from "../../core/json_text";
-import { shortName } from "../../core/kinds";
+import { shortName } from "../../core/file_kinds";
 import { editPath } from "../../core/path_editing";
 import type { DisplayedPath } from "../../core/displayed_path";
 import type { Session } from "../../core/session";
@@ -39,15 +39,15 @@ const textOf = ({ value, number, isHome }: AvailablePoint): string => {
 export class MachinePointForm {
   readonly element: HTMLElement;
   private at: { displayed: DisplayedPath; place: TargetId; target: MachinePoint } | null = null;
-  private readonly fault = new ErrorLine();
+  private readonly error = new ErrorLine();
   private readonly name = new TextRow(words.name, (name) => this.change({ name: name || undefined }));
   private readonly kind = new ChoiceRow<MachinePointKind>(
     own.kind,
     machinePointKinds.map((kind) => [kind, own.kinds[kind]] as const),
     (kind) => this.change(firstPointOfKind(kind, this.known.points ?? noPoints)),
   );
-  private readonly which = new ChoiceRow<string>(own.which, [], (value) => this.choose(value));
-  private readonly pointId = new TextRow(own.ident, (text) => this.setIdent(parsePointId(text.trim())));
+  private readonly pointRow = new ChoiceRow<string>(own.which, [], (value) => this.choose(value));
+  private readonly pointId = new TextRow(own.ident, (text) => this.setPointId(parsePointId(text.trim())));
   private readonly note = element("p", { class: "note", role: "status" });
   private readonly dwell = new NumberRow(words.numbers.dwell_s, "time", (dwell_s) => this.change({ dwell_s }));
   private readonly actions = new ActionList((actions) => this.change({ actions: actions.length > 0 ? actions : undefined }));
@@ -58,51 +58,51 @@ export class MachinePointForm {
     private readonly known: SetupPoints,
     private readonly say: (sentence: string) => void,
   ) {
-    const { fault, name, kind, which, pointId, note, dwell, actions } = this;
-    const rows = [name, kind, which, pointId].map((row) => row.element);
-    this.element = element("div", { class: "form" }, fault.element, ...rows, note, dwell.element, actions.element);
+    const { error, name, kind, pointRow, pointId, note, dwell, actions } = this;
+    const rows = [name, kind, pointRow, pointId].map((row) => row.element);
+    this.element = element("div", { class: "form" }, error.element, ...rows, note, dwell.element, actions.element);
   }
 
   show(displayed: DisplayedPath, place: TargetId, target: MachinePoint): void {
     this.at = { displayed, place, target };
-    this.fault.show(displayed, place);
+    this.error.show(displayed, place);
     this.name.show(target.name ?? "");
     const [kind, pointId] = [machinePointKind(target), machinePointId(target)];
     this.kind.show(kind);
     const listedOptions = availablePoints(kind, this.known.points ?? noPoints);
     const match = findPoint(pointId, listedOptions, kind);
     const options = listedOptions.map((each) => [String(each.value), textOf(each)] as const);
-    this.which.offer([...options, ["", own.another] as const], match ? String(match.value) : "");
+    this.pointRow.setOptions([...options, ["", own.another] as const], match ? String(match.value) : "");
     this.pointId.show(String(pointId));
-    this.note.textContent = match ? "" : this.noteOf(kind, pointId);
+    this.note.textContent = match ? "" : this.missingPointNote(kind, pointId);
     this.note.hidden = this.note.textContent === "";
     this.dwell.show({ value: target.dwell_s }, "mm");
     this.actions.show(target.actions ?? []);
   }
 
   /** Returns why a point is missing that machine data should have. */
-  private noteOf(kind: MachinePointKind, pointId: string | number): string {
+  private missingPointNote(kind: MachinePointKind, pointId: string | number): string {
     const { file, points } = this.known;
     if (file === "") return own.noData;
-    return points ? own.notThere(shortName(file), own.kinds[kind], pointId) : own.unreadable(shortName(file));
+    return points ? own.noSuchPoint(shortName(file), own.kinds[kind], pointId) : own.unreadable(shortName(file));
   }
 
   /** Sets a point; one that is not in the list is typed in. */
   private choose(value: string): void {
     if (value === "") this.pointId.input.select();
-    else this.setIdent(parsePointId(value));
+    else this.setPointId(parsePointId(value));
   }
 
-  private setIdent(pointId: string | number): void {
+  private setPointId(pointId: string | number): void {
     if (this.at) this.change({ [machinePointKind(this.at.target)]: pointId });
   }
 
   private change(change: MachinePointChange): void {
     if (!this.at) return;
     const { displayed, place, target } = this.at;
-    const fault = targetError(removeUndefined({ ...target, ...change }));
-    this.say(fault ? words.refused(fault) : "");
-    if (fault) return this.show(displayed, place, target);
+    const error = targetError(removeUndefined({ ...target, ...change }));
+    this.say(error ? words.refused(error) : "");
+    if (error) return this.show(displayed, place, target);
     editPath(this.store, this.session, texts.paths.labels.changeMachinePoint, setTarget(displayed.text, place, change));
   }
 }

@@ -54,9 +54,12 @@ export class OrientationFields {
     const own = orientationKind(point);
     const inherited = orientationKind(before);
     const listedOptions = orientationKinds.filter((kind) => kind !== "rotary_deg" || this.letters().length > 0);
-    const asBefore = inherited ? words.asBefore(words.orientations[inherited]) : words.noOrientation;
-    const options = [["inherited", asBefore] as const, ...listedOptions.map((kind) => [kind, words.orientations[kind]] as const)];
-    this.kind.offer(options, own ?? "inherited");
+    const unchangedOrientation = inherited ? words.unchangedOrientation(words.orientations[inherited]) : words.noOrientation;
+    const options = [
+      ["inherited", unchangedOrientation] as const,
+      ...listedOptions.map((kind) => [kind, words.orientations[kind]] as const),
+    ];
+    this.kind.setOptions(options, own ?? "inherited");
     const kind = own ?? inherited;
     this.axis.element.hidden = kind !== "tool_axis";
     this.angles.element.hidden = kind !== "rpy_deg";

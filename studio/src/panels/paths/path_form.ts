@@ -45,18 +45,19 @@ export class PathForm {
     if (!this.at) return;
     const { displayed, path } = this.at;
     const isFree = findPathIndex(displayed.file, name) < 0;
-    const fault = name === "" || new TextEncoder().encode(name).length > MAX_NAME_LENGTH ? words.badName : isFree ? "" : texts.paths.faults.twice(name);
-    this.say(fault);
-    if (fault) return this.show(displayed, path);
+    const error =
+      name === "" || new TextEncoder().encode(name).length > MAX_NAME_LENGTH ? words.badName : isFree ? "" : texts.paths.errors.twice(name);
+    this.say(error);
+    if (error) return this.show(displayed, path);
     editPath(this.store, this.session, labels.rename, renamePath(displayed.text, displayed.file, path, name));
   }
 
   private change(change: SetUpChange): void {
     if (!this.at) return;
     const { displayed, path } = this.at;
-    const fault = setupValuesError({ ...displayed.file.paths[path], ...change } as unknown as { [key: string]: JsonValue });
-    this.say(fault ? words.refused(fault) : "");
-    if (fault) return this.show(displayed, path);
+    const error = setupValuesError({ ...displayed.file.paths[path], ...change } as unknown as { [key: string]: JsonValue });
+    this.say(error ? words.refused(error) : "");
+    if (error) return this.show(displayed, path);
     editPath(this.store, this.session, labels.setUp, setPath(displayed.text, path, change));
   }
 
@@ -70,7 +71,7 @@ export class PathForm {
 export class SubPathForm {
   readonly element: HTMLElement;
   private at: { displayed: DisplayedPath; place: TargetId; target: SubPath } | null = null;
-  private readonly fault = new ErrorLine();
+  private readonly error = new ErrorLine();
   private readonly path = new ChoiceRow<string>(words.subPath, [], (path) => this.change({ path }));
   private readonly repeats = new NumberRow(words.repeats, "none", (repeats) => this.change({ repeats }));
 
@@ -81,13 +82,13 @@ export class SubPathForm {
     private readonly session: Session,
     private readonly say: (sentence: string) => void,
   ) {
-    this.element = element("div", { class: "form" }, this.fault.element, this.path.element, this.repeats.element, this.frame.element);
+    this.element = element("div", { class: "form" }, this.error.element, this.path.element, this.repeats.element, this.frame.element);
   }
 
   show(displayed: DisplayedPath, place: TargetId, target: SubPath): void {
     this.at = { displayed, place, target };
-    this.fault.show(displayed, place);
-    this.path.offer(displayed.file.paths.map(({ name }) => [name, name] as const), target.path);
+    this.error.show(displayed, place);
+    this.path.setOptions(displayed.file.paths.map(({ name }) => [name, name] as const), target.path);
     this.repeats.show({ value: target.repeats, inherited: 1 }, "mm");
     this.frame.element.hidden = !acceptsSetup(displayed.file, target);
     this.frame.show({ frame: target, inherited: texts.paths.frame.ofPath, units: this.store.get("units") });
@@ -96,9 +97,9 @@ export class SubPathForm {
   private change(change: SubPathChange): void {
     if (!this.at) return;
     const { displayed, place, target } = this.at;
-    const fault = targetError({ ...target, ...change } as unknown as JsonValue);
-    this.say(fault ? words.refused(fault) : "");
-    if (fault) return this.show(displayed, place, target);
+    const error = targetError({ ...target, ...change } as unknown as JsonValue);
+    this.say(error ? words.refused(error) : "");
+    if (error) return this.show(displayed, place, target);
     editPath(this.store, this.session, labels.change, setTarget(displayed.text, place, change));
   }
 }

@@ -46,7 +46,7 @@ export interface PointState {
 export class PointForm {
   readonly element: HTMLElement;
   private at: PointState | null = null;
-  private readonly fault = new ErrorLine();
+  private readonly error = new ErrorLine();
   private readonly name = new TextRow(words.name, (name) => this.change({ name: name || undefined }));
   private readonly motion = new ChoiceRow<MotionType>(
     words.motion,
@@ -76,7 +76,7 @@ export class PointForm {
     this.element = element(
       "div",
       { class: "form" },
-      this.fault.element,
+      this.error.element,
       this.name.element,
       this.motion.element,
       this.position.element,
@@ -92,7 +92,7 @@ export class PointForm {
     this.at = at;
     const { displayed, place, point, before } = at;
     const units = this.store.get("units");
-    this.fault.show(displayed, place);
+    this.error.show(displayed, place);
     this.name.show(point.name ?? "");
     this.motion.show(pointMotion(point));
     this.position.show(point.position_mm, units);
@@ -113,9 +113,9 @@ export class PointForm {
     if (!this.at) return;
     const { displayed, place, point } = this.at;
     const requested = { ...point, ...change } as unknown as JsonValue;
-    const fault = targetError(requested);
-    this.say(fault ? words.refused(fault) : "");
-    if (fault) return this.show(this.at);
+    const error = targetError(requested);
+    this.say(error ? words.refused(error) : "");
+    if (error) return this.show(this.at);
     editPath(this.store, this.session, texts.paths.labels.change, setTarget(displayed.text, place, change));
   }
 
@@ -129,9 +129,9 @@ export class PointForm {
     if (!this.at) return;
     const { displayed, place, point } = this.at;
     const position_mm = point.position_mm.map((before, i) => values[i] ?? before) as Vector;
-    const fault = targetError({ ...point, position_mm } as unknown as JsonValue);
-    this.say(fault ? words.refused(fault) : "");
-    if (fault || values.includes(undefined)) return this.show(this.at);
+    const error = targetError({ ...point, position_mm } as unknown as JsonValue);
+    this.say(error ? words.refused(error) : "");
+    if (error || values.includes(undefined)) return this.show(this.at);
     const text = movePoint(displayed.text, displayed.file, displayed.walk, place, position_mm);
     editPath(this.store, this.session, texts.paths.labels.move, text);
   }

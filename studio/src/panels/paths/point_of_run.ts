@@ -16,7 +16,7 @@ export function currentPoint(store: Store): Pick<Point, "position_mm" | "tool_ax
   const number = robot.tcp_at(t_s);
   if (!joints || number === null) return null;
   const frame = toolInWork(robot.chain, joints, t_s);
-  const tip = new Vector3(...(robot.scene.tips_mm[number] ?? [0, 0, 0])).applyMatrix4(frame);
+  const tip = new Vector3(...(robot.scene.tcps_mm[number] ?? [0, 0, 0])).applyMatrix4(frame);
   const turns = robot.scene.axes.some(({ rotary }) => rotary);
   const axis = roundedVector(new Vector3().setFromMatrixColumn(frame, 2).toArray() as Vector);
   return { position_mm: roundedVector(tip.toArray() as Vector), ...(turns && { tool_axis: axis }) };

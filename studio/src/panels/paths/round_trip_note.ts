@@ -25,7 +25,7 @@ export class RoundTripNote {
   private readonly button = element("button", { type: "button", onclick: () => this.measure() }, words.compare);
   /** Run and path text of the values. */
   private of: { run: Run; text: string } | null = null;
-  private figures: RoundTrip | null = null;
+  private deviations: RoundTrip | null = null;
 
   constructor(
     private readonly store: Store,
@@ -43,10 +43,10 @@ export class RoundTripNote {
     const origin = this.snapshotOf(program);
     const isOwn = origin !== null && origin.path === displayed?.name;
     const isKnown = this.of?.run === run && this.of?.text === displayed?.text;
-    this.button.hidden = !run?.report || !displayed || displayed.fault !== "" || isKnown || (isOwn && origin.text === displayed.text);
+    this.button.hidden = !run?.report || !displayed || displayed.error !== "" || isKnown || (isOwn && origin.text === displayed.text);
     if (!run?.report || !displayed) this.tell("");
     else if (store.get("running")) this.tell(words.running);
-    else if (isKnown) this.tellFigures(program);
+    else if (isKnown) this.showDeviations(program);
     else if (!isOwn) this.tell(words.other(program));
     else if (origin.text !== displayed.text) this.tell(words.changed(program));
     else if (this.isVisible) this.measure();
@@ -66,15 +66,15 @@ export class RoundTripNote {
     const [run, displayed, robot] = [store.get("run"), store.get("path"), shownRobot(store)];
     if (!run || !displayed) return;
     this.of = { run, text: displayed.text };
-    this.figures = robot ? roundTrip(displayed.walk, robot.segments) : null;
+    this.deviations = robot ? roundTrip(displayed.walk, robot.segments) : null;
     this.show();
   }
 
-  private tellFigures(program: string): void {
-    const { figures } = this;
+  private showDeviations(program: string): void {
+    const { deviations } = this;
     const units = this.store.get("units");
-    if (!figures) return this.tell(words.noWay(program));
-    const { runDeviation_mm, pathDeviation_mm } = figures;
+    if (!deviations) return this.tell(words.noWay(program));
+    const { runDeviation_mm, pathDeviation_mm } = deviations;
     const text = words.figures(program, lengthText(runDeviation_mm, units), lengthText(pathDeviation_mm, units));
     this.tell(this.of?.run.report?.status === "completed" ? text : words.unfinished(text), Math.max(runDeviation_mm, pathDeviation_mm) > MAX_DEVIATION_MM);
   }

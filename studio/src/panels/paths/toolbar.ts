@@ -1,6 +1,6 @@
 // Buttons for actions on the chosen points.
 
-import { choice, element, offer } from "../../core/dom";
+import { choice, element, setOptions } from "../../core/dom";
 import type { DisplayedPath } from "../../core/displayed_path";
 import { firstMachinePoint, noPoints } from "../../run/path/machine_points";
 import { texts } from "../../texts";
@@ -9,11 +9,11 @@ import type { TargetSelection } from "./target_selection";
 import type { SetupPoints } from "./known_points";
 
 const words = texts.paths.toolbar;
-type Name = "add" | "addMachinePoint" | "duplicate" | "remove" | "up" | "down" | "makeSubPath";
+type ButtonName = "add" | "addMachinePoint" | "duplicate" | "remove" | "up" | "down" | "makeSubPath";
 
 export class PathToolbar {
   readonly element: HTMLElement;
-  private readonly buttons: Record<Name, HTMLButtonElement>;
+  private readonly buttons: Record<ButtonName, HTMLButtonElement>;
   private readonly uses: HTMLSelectElement;
 
   constructor(
@@ -21,7 +21,7 @@ export class PathToolbar {
     private readonly chosen: TargetSelection,
     known: SetupPoints,
   ) {
-    const button = (name: Name, act: () => void) =>
+    const button = (name: ButtonName, act: () => void) =>
       element("button", { type: "button", title: words.titles[name], "aria-label": words.titles[name], onclick: act }, words.names[name]);
     this.buttons = {
       add: button("add", () => actions.add()),
@@ -53,6 +53,6 @@ export class PathToolbar {
     this.buttons.up.disabled = !isTarget || range.place.target === 0;
     this.buttons.down.disabled = !isTarget || range.place.target + range.count >= count;
     const names = displayed?.file.paths.map(({ name }) => name) ?? [];
-    offer(this.uses, [["", words.use] as const, ...names.map((name) => [name, name] as const)], "");
+    setOptions(this.uses, [["", words.use] as const, ...names.map((name) => [name, name] as const)], "");
   }
 }

@@ -37,10 +37,10 @@ export class PathTree {
   ) {
     const { element: tree } = this;
     tree.addEventListener("click", (event) => this.handleClick(event));
-    tree.addEventListener("keydown", (event) => this.pressed(event));
-    tree.addEventListener("dragstart", (event) => this.dragged(event));
+    tree.addEventListener("keydown", (event) => this.onKeyDown(event));
+    tree.addEventListener("dragstart", (event) => this.onDragStart(event));
     tree.addEventListener("dragover", (event) => {
-      if (this.dropPlace(event)) event.preventDefault();
+      if (this.dropPosition(event)) event.preventDefault();
     });
     tree.addEventListener("drop", (event) => this.dropped(event));
   }
@@ -64,11 +64,11 @@ export class PathTree {
     this.rows.forEach((row, i) => this.fill(this.element.children[i] as HTMLElement, row, i, displayed!));
     const item = this.element.children[this.current] as HTMLElement | undefined;
     if (hadFocus) item?.focus({ preventScroll: true });
-    if (item) this.bringToSight(item);
+    if (item) this.scrollIntoSight(item);
   }
 
   /** Scrolls within the tree; the remainder of the page keeps its position. */
-  private bringToSight(item: HTMLElement): void {
+  private scrollIntoSight(item: HTMLElement): void {
     const { element: tree } = this;
     const top = item.offsetTop - tree.offsetTop;
     if (top < tree.scrollTop) tree.scrollTop = top;
@@ -92,10 +92,10 @@ export class PathTree {
     else item.removeAttribute("aria-expanded");
     item.tabIndex = i === this.current ? 0 : -1;
     item.draggable = row.place.target >= 0 && row.more === 0;
-    item.className = ["row", row.motion ?? (row.more > 0 ? "more" : "path"), row.fault ? "faulty" : ""].join(" ");
-    item.title = row.fault;
+    item.className = ["row", row.motion ?? (row.more > 0 ? "more" : "path"), row.error ? "faulty" : ""].join(" ");
+    item.title = row.error;
     item.style.setProperty("--level", String(row.level));
-    const parts = row.more > 0 ? [words.more(row.more)] : this.partsOf(row, displayed);
+    const parts = row.more > 0 ? [words.more(row.more)] : this.rowTexts(row, displayed);
     const text = parts.join("\n");
     if (item.dataset.text === text) return;
     item.dataset.text = text;
@@ -106,7 +106,7 @@ export class PathTree {
   }
 
   /** Returns number, kind and actions of a row. */
-  private partsOf({ place, target, below }: TreeRow, { file, walk }: DisplayedPath): string[] {
+  private rowTexts({ place, target, below }: TreeRow, { file, walk }: DisplayedPath): string[] {
     if (!target) {
       const { name, targets } = file.paths[below];
       const isReferenced = walk.used.has(below);
@@ -114,8 +114,9 @@ export class PathTree {
     }
     const number = String(place.target + 1);
     if (isSubPath(target)) return [number, target.path, target.repeats ? words.times(target.repeats) : ""];
-    if (isMachinePoint(target)) return [number, words.machinePoint(target.name ?? "", target.fixed ?? null, target.reference ?? 0), this.doneAt(target)];
-    return [number, this.nameOf(target), this.doneAt(target)];
+    if (isMachinePoint(target))
+      return [number, words.machinePoint(target.name ?? "", target.fixed ?? null, target.reference ?? 0), this.actionsText(target)];
+    return [number, this.nameOf(target), this.actionsText(target)];
   }
 
   private nameOf({ name, motion, position_mm }: Point): string {
@@ -124,7 +125,7 @@ export class PathTree {
     return `${words.signs[motion ?? "linear"]} ${name ? `${name}: ${place}` : place}`;
   }
 
-  private doneAt({ actions, dwell_s, ...motion }: Point | MachinePoint): string {
+  private actionsText({ actions, dwell_s, ...motion }: Point | MachinePoint): string {
     const feed_mm_min = "feed_mm_min" in motion ? motion.feed_mm_min : undefined;
     const parts = [...(actions ?? []).map((action) => action.replaceAll("_", " "))];
     if (dwell_s) parts.unshift(words.dwell(dwell_s));
@@ -176,7 +177,7 @@ export class PathTree {
     if (row?.more === 0) this.choice.choose(row.place, extended);
   }
 
-  private pressed(event: KeyboardEvent): void {
+  private onKeyDown(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey) return;
     const row = this.rows[this.current];
     if (!row) return;
@@ -213,7 +214,7 @@ export class PathTree {
     return parent < 0 ? at : parent;
   }
 
-  private dragged(event: DragEvent): void {
+  private onDragStart(event: DragEvent): void {
     const row = this.rows[this.eventRow(event)];
     if (!row || !event.dataTransfer) return;
     if (!this.choice.has(row.place)) this.choice.choose(row.place);
@@ -222,7 +223,7 @@ export class PathTree {
   }
 
   /** Returns the position for a drop: next to targets of the same path. */
-  private dropPlace(event: DragEvent): TargetId | null {
+  private dropPosition(event: DragEvent): TargetId | null {
     const row = this.rows[this.eventRow(event)];
     const { range } = this.choice;
     const isOwn = range && row?.more === 0 && row.place.path === range.place.path && row.place.target >= 0;
@@ -230,7 +231,7 @@ export class PathTree {
   }
 
   private dropped(event: DragEvent): void {
-    const place = this.dropPlace(event);
+    const place = this.dropPosition(event);
     if (!place) return;
     event.preventDefault();
     // The dropped row is not a file to open.

@@ -27,7 +27,7 @@ export interface TreeRow {
   target: Target | null;
   /** Number of hidden targets before or after the shown ones that it represents; 0: it is a target itself. */
   more: number;
-  fault: string;
+  error: string;
 }
 
 /** Number of targets of a path that are shown at first, and that are added at a time. */
@@ -72,9 +72,9 @@ export class TreeState {
   }
 }
 
-const defaultRow = { below: -1, open: false, motion: null, target: null, more: 0, fault: "" };
+const defaultRow = { below: -1, open: false, motion: null, target: null, more: 0, error: "" };
 
-function* childRows(displayed: DisplayedPath, state: TreeState, parent: TreeRow, faults: Map<string, string>): Generator<TreeRow> {
+function* childRows(displayed: DisplayedPath, state: TreeState, parent: TreeRow, errors: Map<string, string>): Generator<TreeRow> {
   const { targets } = displayed.file.paths[parent.below];
   const { first, end } = state.window(parent.key);
   const more = (target: number, count: number) => {
@@ -88,16 +88,16 @@ function* childRows(displayed: DisplayedPath, state: TreeState, parent: TreeRow,
     const each = targets[target];
     const place = { path: parent.below, target };
     const key = `${parent.key}/${target}`;
-    const row = { ...defaultRow, key, level: parent.level + 1, place, target: each, fault: faults.get(targetKey(place)) ?? "" };
+    const row = { ...defaultRow, key, level: parent.level + 1, place, target: each, error: errors.get(targetKey(place)) ?? "" };
     if (!isSubPath(each)) {
       yield { ...row, motion: isPoint(each) ? pointMotion(each) : "rapid" };
       continue;
     }
     // A path that leads back to itself is not opened.
-    const below = row.fault ? -1 : findPathIndex(displayed.file, each.path);
+    const below = row.error ? -1 : findPathIndex(displayed.file, each.path);
     const sub = { ...row, below, open: below >= 0 && state.isOpen(key) };
     yield sub;
-    if (sub.open) yield* childRows(displayed, state, sub, faults);
+    if (sub.open) yield* childRows(displayed, state, sub, errors);
   }
   if (targets.length > end) yield more(end, targets.length - end);
 }
@@ -105,16 +105,16 @@ function* childRows(displayed: DisplayedPath, state: TreeState, parent: TreeRow,
 /** Returns all visible rows. */
 export function* visibleRows(displayed: DisplayedPath, state: TreeState): Generator<TreeRow> {
   const { file, walk } = displayed;
-  const faults = new Map(walk.faults.flatMap(({ place, text }) => (place ? [[targetKey(place), text] as const] : [])));
+  const errors = new Map(walk.errors.flatMap(({ place, text }) => (place ? [[targetKey(place), text] as const] : [])));
   const root = Math.max(rootIndex(file), 0);
   const topPaths = [root, ...file.paths.keys()].filter((path, i) => i === 0 || !walk.used.has(path));
   for (const path of topPaths) {
     if (!file.paths[path] || (path === root && topPaths.indexOf(path) > 0)) continue;
     const place = { path, target: -1 };
     const key = String(path);
-    const row = { ...defaultRow, key, level: 1, place, below: path, open: state.isOpen(key), fault: faults.get(targetKey(place)) ?? "" };
+    const row = { ...defaultRow, key, level: 1, place, below: path, open: state.isOpen(key), error: errors.get(targetKey(place)) ?? "" };
     yield row;
-    if (row.open) yield* childRows(displayed, state, row, faults);
+    if (row.open) yield* childRows(displayed, state, row, errors);
   }
 }
 

@@ -2,8 +2,9 @@
 // of the run and the given path.
 
 import { check, element } from "../../core/dom";
+import { dialectProperties } from "../../core/dialects";
 import type { DisplayedPath } from "../../core/displayed_path";
-import { baseName, shortName } from "../../core/kinds";
+import { baseName, shortName } from "../../core/file_kinds";
 import type { Session } from "../../core/session";
 import type { Store, Units } from "../../core/store";
 import { texts } from "../../texts";
@@ -102,7 +103,7 @@ export class WriteForm {
   /** Returns the built-in posts, and files that are posts. */
   private listedOptions(): [string, string][] {
     const { documents } = this.session;
-    const own = documents.ownNames().filter((name) => /\.toml$/i.test(name) && isPost(documents.text(name)));
+    const own = documents.userFileNames().filter((name) => /\.toml$/i.test(name) && isPost(documents.text(name)));
     return [...this.names, ...own].map((name) => [name, shortName(name)]);
   }
 
@@ -114,7 +115,7 @@ export class WriteForm {
   }
 
   private get programName(): string {
-    const extension = this.dialectOf(this.choice.post) === "rs274ngc" ? ".ngc" : ".nc";
+    const { extension } = dialectProperties(this.dialectOf(this.choice.post));
     return this.name || `${pathStem(this.path)}${extension}`;
   }
 
@@ -128,14 +129,14 @@ export class WriteForm {
     this.units = units;
     if (displayed && displayed.name !== this.path) [this.path, this.name] = [displayed.name, ""];
     const { choice } = this;
-    this.post.offer(this.listedOptions(), choice.post);
+    this.post.setOptions(this.listedOptions(), choice.post);
     this.program.show(this.name, this.programName);
     this.offsets.show(choice.offsets as (typeof offsets)[number]);
     for (const [key, { box }] of this.switches) box.checked = choice[key];
     this.tolerance.show({ value: choice.tolerance_mm, inherited: 0.01 }, units);
     this.decimals.show({ value: choice.decimals_mm }, "mm");
     this.button.textContent = this.replaces ? words.replace(this.programName) : words.write;
-    this.button.disabled = !displayed || displayed.fault !== "";
+    this.button.disabled = !displayed || displayed.error !== "";
     this.roundTrip.show();
   }
 

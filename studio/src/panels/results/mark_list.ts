@@ -2,12 +2,12 @@
 
 import { element } from "../../core/dom";
 import { goTo } from "../../core/navigation";
-import { markText } from "../../core/names";
+import { markText } from "../../core/display_names";
 import type { Store } from "../../core/store";
 import { countText, timeText } from "../../core/units";
 import type { Mark } from "../../run/marks";
 import { texts } from "../../texts";
-import { beginRows, makeRows } from "./rows";
+import { initializeTabStops, makeRows } from "./rows";
 
 const words = texts.panels;
 
@@ -42,7 +42,7 @@ export function itemList(label: string, items: Item[], first: number): HTMLEleme
   const more = element("button", { class: "more", onclick: () => show(list.childElementCount + 10 * first) });
   const show = (count: number) => {
     list.append(...items.slice(list.childElementCount, count).map(createRow));
-    beginRows(list);
+    initializeTabStops(list);
     more.hidden = list.childElementCount >= items.length;
     more.textContent = words.more(Math.min(items.length - list.childElementCount, 10 * first));
   };
@@ -55,7 +55,7 @@ export function itemList(label: string, items: Item[], first: number): HTMLEleme
   return element("div", {}, list, more);
 }
 
-const FIRST_IN_SECTION = 8;
+const INITIAL_ITEMS = 8;
 
 /** Creates a list below a heading with the number of items. */
 export const section = (title: string, kind: string, items: Item[]): HTMLElement =>
@@ -63,5 +63,5 @@ export const section = (title: string, kind: string, items: Item[]): HTMLElement
     "section",
     {},
     element("h3", { class: `heading ${kind}` }, `${title} `, element("small", {}, countText(items.length))),
-    itemList(title, items, FIRST_IN_SECTION),
+    itemList(title, items, INITIAL_ITEMS),
   );

@@ -47,6 +47,6 @@ export function makeRows(
 }
 
 /** Makes the first of newly inserted rows the one that the Tab key reaches. */
-export function beginRows(container: HTMLElement): void {
+export function initializeTabStops(container: HTMLElement): void {
   [...container.children].forEach((row, i) => ((row as HTMLElement).tabIndex = i === 0 ? 0 : -1));
 }

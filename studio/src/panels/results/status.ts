@@ -22,7 +22,7 @@ const diagnosticItem = (told: EngineDiagnostic, store: Store): Item => ({
 
 /** "No contact" means little if nothing was checked. */
 function contactText({ cell }: Report): string {
-  const pairs = (cell?.looked_at?.pairs ?? 0) + (cell?.looked_at?.with_robots ?? 0);
+  const pairs = (cell?.checked?.pairs ?? 0) + (cell?.checked?.with_robots ?? 0);
   return pairs > 0 ? words.touchesNothing(pairs) : words.notLooked;
 }
 

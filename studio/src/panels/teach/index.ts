@@ -18,11 +18,11 @@ import { JogState, axisRange } from "./jog_state";
 import { JointRow } from "./joint_row";
 import { requestPose, type Pose, type PoseRequest } from "./pose";
 import { PointRecorder } from "./point_recorder";
-import { Steps } from "./steps";
+import { StepSizes } from "./steps";
 import { TcpPad } from "./tcp_pad";
 
 const words = texts.teach;
-const CHECK_MS = 150;
+const CHECK_DELAY_MS = 150;
 /** With so many rotary axes the rotation of the tool about its own axis can be set. */
 const MIN_REDUNDANT_AXES = 3;
 
@@ -31,11 +31,11 @@ class TeachPanel {
   private readonly state: JogState;
   private readonly none = element("p", { class: "note" }, words.nothing);
   private readonly body: HTMLElement;
-  private readonly steps = new Steps();
+  private readonly steps = new StepSizes();
   private readonly joints = element("div", { class: "joints" });
   private rows: JointRow[] = [];
   private readonly pad: TcpPad;
-  private readonly recording: PointRecorder;
+  private readonly pointRecorder: PointRecorder;
   private readonly said = element("p", { class: "said", role: "status" });
   private readonly checking = new Debounced(() => void this.check());
   private isVisible = false;
@@ -48,29 +48,29 @@ class TeachPanel {
   ) {
     this.state = new JogState(store);
     this.pad = new TcpPad({
-      move: (axis, sense) => this.moveTip(axis, sense),
-      turn: (axis, sense) => this.turnTip(axis, sense),
+      move: (axis, sense) => this.moveTcp(axis, sense),
+      turn: (axis, sense) => this.turnTool(axis, sense),
     });
-    this.recording = new PointRecorder(store, session, this.state, {
+    this.pointRecorder = new PointRecorder(store, session, this.state, {
       goTo: (point, state) => void this.goTo(point, state),
       say: (sentence) => this.say(sentence),
     });
     const fromRun = element("button", { type: "button", title: words.fromRunTitle, onclick: () => this.state.fromRun() }, words.fromRun);
     const head = element("div", { class: "head" }, this.steps.element, fromRun);
-    this.body = element("div", { class: "teach-body" }, head, this.joints, this.pad.element, this.said, this.recording.element);
+    this.body = element("div", { class: "teach-body" }, head, this.joints, this.pad.element, this.said, this.pointRecorder.element);
     this.element = element("div", { class: "teach" }, this.none, this.body);
-    store.watch(["run", "robot"], () => this.takeRobot());
+    store.watch(["run", "robot"], () => this.updateRobot());
     store.watch(["jog", "units"], () => this.show());
   }
 
-  displayed(): void {
+  onDisplayed(): void {
     this.isVisible = true;
     this.store.set("showPath", true);
     this.state.begin();
     this.show();
   }
 
-  hidden(): void {
+  onHidden(): void {
     this.isVisible = false;
     this.state.end();
     this.store.set("showPath", false);
@@ -82,7 +82,7 @@ class TeachPanel {
   }
 
   /** Another machine has other joints. */
-  private takeRobot(): void {
+  private updateRobot(): void {
     const { axes } = this.state;
     const same = axes.length === this.rows.length && axes.every((axis, i) => JSON.stringify(axis) === JSON.stringify(this.rows[i].axis));
     if (!same) {
@@ -105,7 +105,7 @@ class TeachPanel {
     state.values.forEach((value, i) => rows[i].show(value, units));
     const isSingleRobot = (store.get("run")?.robots.length ?? 0) === 1;
     this.pad.show(frame, units, isSingleRobot && this.session.canRun, state.axes.some(({ rotary }) => rotary));
-    if (this.isVisible && isSingleRobot) this.checking.after(CHECK_MS);
+    if (this.isVisible && isSingleRobot) this.checking.after(CHECK_DELAY_MS);
   }
 
   private set(axis: number, value: number): void {
@@ -151,11 +151,11 @@ class TeachPanel {
    * Moves to the joints that the engine returns for the TCP pose; if it is not possible, a message says why,
    * and nothing moves.
    */
-  private async goBy(requested: PoseRequest): Promise<void> {
+  private async moveToPose(requested: PoseRequest): Promise<void> {
     const { robot } = this.state;
     const pose = await this.ask(requested);
     if (pose === null) {
-      if (this.isVisible && this.state.robot !== robot) this.say(words.otherRun, true);
+      if (this.isVisible && this.state.robot !== robot) this.say(words.runWasReplaced, true);
       return;
     }
     if (typeof pose === "string") return this.say(words.unreachable(pose), true);
@@ -165,15 +165,15 @@ class TeachPanel {
     this.state.setValues(pose.joints);
   }
 
-  private async moveTip(axis: number, sense: 1 | -1): Promise<void> {
+  private async moveTcp(axis: number, sense: 1 | -1): Promise<void> {
     const { frame, values } = this.state;
     if (!frame) return;
     const tip = new Vector3().setFromMatrixPosition(frame);
     tip.setComponent(axis, tip.getComponent(axis) + sense * this.steps.step_mm);
-    await this.goBy({ tip_mm: tip.toArray(), near: values });
+    await this.moveToPose({ tip_mm: tip.toArray(), near: values });
   }
 
-  private async turnTip(axis: number, sense: 1 | -1): Promise<void> {
+  private async turnTool(axis: number, sense: 1 | -1): Promise<void> {
     const { frame, values, axes } = this.state;
     if (!frame) return;
     const tip_mm = new Vector3().setFromMatrixPosition(frame).toArray();
@@ -182,11 +182,11 @@ class TeachPanel {
     const isFree = axes.filter(({ rotary }) => rotary).length >= MIN_REDUNDANT_AXES;
     if (isFree) {
       const rotation = turn.multiply(new Quaternion().setFromRotationMatrix(frame));
-      await this.goBy({ tip_mm, rpy_deg: toRpy(rotation), near: values });
+      await this.moveToPose({ tip_mm, rpy_deg: toRpy(rotation), near: values });
       return;
     }
     const tool_axis = new Vector3().setFromMatrixColumn(frame, 2).applyQuaternion(turn).toArray();
-    await this.goBy({ tip_mm, tool_axis, near: values });
+    await this.moveToPose({ tip_mm, tool_axis, near: values });
   }
 
   private async goTo({ position_mm }: Point, { tool_axis, rpy_deg, rotary_deg }: State): Promise<void> {
@@ -195,7 +195,7 @@ class TeachPanel {
     if (!joints) return;
     const near = rotary_deg ? jointsWith(axes, rotary_deg, joints).map((joint, i) => axisValue(axes[i], joint)) : values;
     const orientation = tool_axis ? { tool_axis } : rpy_deg ? { rpy_deg } : {};
-    await this.goBy({ tip_mm: position_mm, ...orientation, near });
+    await this.moveToPose({ tip_mm: position_mm, ...orientation, near });
   }
 }
 

@@ -58,7 +58,7 @@ export class JogState {
     const joints = robot?.joints_at(t_s);
     this.store.set("jog", joints ? Array.from(joints) : null);
     if (!robot || joints) return;
-    void robot.segments.need(robot.segments.at(t_s)).then((isHere) => {
+    void robot.segments.fetchNow(robot.segments.at(t_s)).then((isHere) => {
       if (isHere && this.isVisible && this.robot === robot && !this.store.get("jog")) this.fromRun();
     });
   }
@@ -86,7 +86,7 @@ export class JogState {
    */
   private get tip(): Vector3 {
     const { robot } = this;
-    return new Vector3(...(robot?.scene.tips_mm[robot.tcp_at(this.store.get("time_s")) ?? 0] ?? [0, 0, 0]));
+    return new Vector3(...(robot?.scene.tcps_mm[robot.tcp_at(this.store.get("time_s")) ?? 0] ?? [0, 0, 0]));
   }
 
   /**

@@ -40,7 +40,7 @@ export class JointRow {
       oninput: () => on.set(Number(this.slider.value)),
     });
     this.input = new NumberInput(words.axis(letter), rotary ? "angle" : "length", (value) => value !== undefined && on.set(value));
-    const less = holdButton("−", words.less(letter), () => on.step(-1));
+    const less = holdButton("−", words.stepDown(letter), () => on.step(-1));
     const more = holdButton("+", words.more(letter), () => on.step(1));
     this.element = element(
       "div",

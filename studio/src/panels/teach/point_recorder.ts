@@ -2,7 +2,7 @@
 // moves to points.
 
 import { element } from "../../core/dom";
-import { baseName } from "../../core/kinds";
+import { baseName } from "../../core/file_kinds";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { isPoint, targetKey, targetAt, type MotionType, type TargetId, type Point } from "../../run/path/path_file";
@@ -34,7 +34,7 @@ export class PointRecorder {
   private feed_mm_min: number | undefined;
   private readonly choice: TargetSelection;
   private readonly actions: PathActions;
-  private readonly behind = element("p", { class: "note" });
+  private readonly positionNote = element("p", { class: "note" });
   private readonly motions = new ChoiceRow<MotionType>(
     texts.paths.form.motion,
     [
@@ -68,7 +68,7 @@ export class PointRecorder {
       "div",
       { class: "recording" },
       element("h3", { class: "heading" }, words.points),
-      this.behind,
+      this.positionNote,
       this.motions.element,
       this.kinds.element,
       this.feed.element,
@@ -97,28 +97,28 @@ export class PointRecorder {
   private show(): void {
     const { store } = this;
     const [displayed, place] = [store.get("path"), store.get("pathPoint")];
-    const kinds: (readonly [Kind, string])[] = [["inherited", words.asBefore]];
+    const kinds: (readonly [Kind, string])[] = [["inherited", words.unchangedOrientation]];
     if (this.turns) kinds.unshift(["tool_axis", texts.paths.form.orientations.tool_axis], ["rotary_deg", texts.paths.form.orientations.rotary_deg]);
-    this.kinds.offer(kinds, this.kind);
+    this.kinds.setOptions(kinds, this.kind);
     this.motions.show(this.motion);
     this.feed.element.hidden = this.motion === "rapid";
     this.feed.show({ value: this.feed_mm_min, inherited: this.stateAt(place).feed_mm_min ?? FEED_MM_MIN }, store.get("units"));
-    this.behind.textContent = this.behindText(place);
-    this.button.disabled = this.machine.axes.length === 0 || Boolean(displayed?.fault);
+    this.positionNote.textContent = this.positionText(place);
+    this.button.disabled = this.machine.axes.length === 0 || Boolean(displayed?.error);
     for (const [name, by] of [["previous", -1], ["chosen", 0], ["next", 1]] as const) {
-      this.steps[name].disabled = this.machine.axes.length === 0 || !this.pointBy(by);
+      this.steps[name].disabled = this.machine.axes.length === 0 || !this.neighbourPoint(by);
     }
   }
 
-  private behindText(place: TargetId | null): string {
+  private positionText(place: TargetId | null): string {
     const displayed = this.store.get("path");
-    if (!displayed) return words.beginsFile;
+    if (!displayed) return words.newFileNote;
     const path = place && displayed.file.paths[place.path];
     if (!path) return words.atEndOf(baseName(displayed.name));
     return words.behind(path.name, place.target + 1, baseName(displayed.name));
   }
 
-  private pointBy(by: number): { place: TargetId; point: Point } | null {
+  private neighbourPoint(by: number): { place: TargetId; point: Point } | null {
     const [displayed, place] = [this.store.get("path"), this.store.get("pathPoint")];
     if (!displayed || !place) return null;
     const requested = { path: place.path, target: place.target + by };
@@ -127,7 +127,7 @@ export class PointRecorder {
   }
 
   private goTo(by: number): void {
-    const found = this.pointBy(by);
+    const found = this.neighbourPoint(by);
     if (!found) return;
     this.store.set("pathPoint", found.place);
     this.on.goTo(found.point, this.stateAt(found.place));

@@ -1,6 +1,6 @@
 // Step of one press of a button: a length and an angle.
 
-import { element, choice, offer } from "../../core/dom";
+import { element, choice, setOptions } from "../../core/dom";
 import type { Units } from "../../core/store";
 import { lengthUnit, toMm } from "../../core/units";
 import { texts } from "../../texts";
@@ -9,7 +9,7 @@ const words = texts.teach;
 const lengths: Record<Units, readonly number[]> = { mm: [0.01, 0.1, 1, 10, 100], inch: [0.001, 0.01, 0.1, 1, 4] };
 const angles_deg = [0.01, 0.1, 1, 10, 90];
 
-export class Steps {
+export class StepSizes {
   readonly element: HTMLElement;
   private place = 3;
   private angle_deg = 10;
@@ -29,7 +29,7 @@ export class Steps {
   show(units: Units): void {
     this.units = units;
     const options = lengths[units].map((each, i) => [String(i), `${each} ${lengthUnit(units)}`] as const);
-    offer(this.length, options, String(this.place));
+    setOptions(this.length, options, String(this.place));
   }
 
   get step_mm(): number {

@@ -23,7 +23,7 @@ export interface TcpPadEvents {
 
 export class TcpPad {
   readonly element: HTMLElement;
-  private readonly tip = XYZ.map(() => element("output", {}));
+  private readonly tcpOutputs = XYZ.map(() => element("output", {}));
   private readonly axis = XYZ.map(() => element("output", {}));
   private readonly angles = XYZ.map(() => element("output", {}));
   private readonly unit = element("span", {});
@@ -43,8 +43,8 @@ export class TcpPad {
         "tr",
         {},
         element("th", { scope: "row" }, name),
-        element("td", {}, this.tip[i]),
-        pair(this.buttons, words.tipAlong(name), (sense) => on.move(i, sense)),
+        element("td", {}, this.tcpOutputs[i]),
+        pair(this.buttons, words.moveTcpAlong(name), (sense) => on.move(i, sense)),
         element("td", {}, this.axis[i]),
         pair(this.turning, words.turnAbout(name), (sense) => on.turn(i, sense)),
       ),
@@ -59,7 +59,7 @@ export class TcpPad {
     const rpy = toRpy(new Quaternion().setFromRotationMatrix(frame));
     this.unit.textContent = lengthUnit(units);
     XYZ.forEach((_, i) => {
-      this.tip[i].textContent = lengthNumber([x, y, z][i], units);
+      this.tcpOutputs[i].textContent = lengthNumber([x, y, z][i], units);
       this.axis[i].textContent = fixed([zx, zy, zz][i], 4);
       this.angles[i].textContent = `${fixed(rpy[i], 3)}°`;
     });

@@ -5,7 +5,7 @@ import { Vector3 } from "three";
 import { choice, element } from "../../core/dom";
 import { goToBlock } from "../../core/navigation";
 import type { ActiveSettings } from "../../core/active_modals";
-import { shortName } from "../../core/kinds";
+import { shortName } from "../../core/file_kinds";
 import type { Session } from "../../core/session";
 import { shownRobot } from "../../core/display_state";
 import type { State, Store } from "../../core/store";
@@ -13,21 +13,21 @@ import { axisText, lengthText, programmedFeedText, timeText } from "../../core/u
 import { toolInWork } from "../../run/path/tool_direction";
 import type { Robot } from "../../run/run";
 import { texts } from "../../texts";
-import type { From } from "./data/variants_file";
+import type { StartBlock } from "./data/variants_file";
 
 const words = texts.variants.here;
 
 /** Limit on offered passes; of lines with more passes, those near the chosen one are offered. */
-const MOST_PASSES = 500;
+const MAX_PASSES = 500;
 
 /** Returns the TCP in use, in the work frame, mm. */
 function tcpInWork(robot: Robot, t_s: number): Vector3 {
-  const tip = new Vector3(...(robot.scene.tips_mm[robot.tcp_at(t_s)!] ?? [0, 0, 0]));
+  const tip = new Vector3(...(robot.scene.tcps_mm[robot.tcp_at(t_s)!] ?? [0, 0, 0]));
   return tip.applyMatrix4(toolInWork(robot.chain, robot.joints_at(t_s)!, t_s));
 }
 
 /** Returns names and values for the user; for a run that is completely loaded. */
-function blockFactRows(robot: Robot, block: number, units: State["units"]): [string, string][] {
+function blockSummaryRows(robot: Robot, block: number, units: State["units"]): [string, string][] {
   const { start_s, first } = robot.blocks.get(block);
   const info = robot.segments.info(first)!;
   const axes = robot.axes_at(start_s)!.map((value, i) => `${robot.letters[i]} ${axisText(value, robot.scene.axes[i].rotary, units)}`);
@@ -42,7 +42,7 @@ function blockFactRows(robot: Robot, block: number, units: State["units"]): [str
   ];
 }
 
-export class Here {
+export class BlockPanel {
   readonly element: HTMLElement;
   private readonly place = element("p", { class: "place" });
   private readonly passes = element("div", { class: "passes" });
@@ -54,7 +54,7 @@ export class Here {
   constructor(
     private readonly store: Store,
     private readonly session: Session,
-    makeVariant: (from: From) => void,
+    makeVariant: (from: StartBlock) => void,
   ) {
     const attributes = { type: "button", title: words.makeHint, onclick: () => this.from && makeVariant(this.from) };
     this.make = element("button", attributes, words.make);
@@ -71,12 +71,12 @@ export class Here {
     return robot.blocks.nearest(robot.files.indexOf(selection.file), selection.line, this.store.get("time_s"));
   }
 
-  private get from(): From | null {
+  private get from(): StartBlock | null {
     const { block } = this;
     const robot = shownRobot(this.store);
     if (block < 0 || !robot || robot.segments.isLong) return null;
     const { file, line } = robot.blocks.get(block);
-    return { file: robot.files[file], line, pass: robot.blocks.ofLine(file, line).indexOf(block) + 1 };
+    return { file: robot.files[file], line, pass: robot.blocks.blocksOfLine(file, line).indexOf(block) + 1 };
   }
 
   show(): void {
@@ -94,7 +94,7 @@ export class Here {
     void this.showModal(selection.file, selection.line);
     if (!hasBlock) return;
     this.showPasses(robot, block);
-    const rows = blockFactRows(robot, block, store.get("units"));
+    const rows = blockSummaryRows(robot, block, store.get("units"));
     this.facts.replaceChildren(
       ...rows.map(([name, text]) => element("div", { class: "figure" }, element("dt", {}, name), element("dd", {}, text))),
     );
@@ -109,11 +109,11 @@ export class Here {
 
   private showPasses(robot: Robot, block: number): void {
     const { file, line } = robot.blocks.get(block);
-    const all = robot.blocks.ofLine(file, line);
+    const all = robot.blocks.blocksOfLine(file, line);
     this.passes.hidden = all.length < 2;
     if (all.length < 2) return this.passes.replaceChildren();
-    const begin = Math.max(0, Math.min(all.indexOf(block) - MOST_PASSES / 2, all.length - MOST_PASSES));
-    const options = Array.from(all.slice(begin, begin + MOST_PASSES), (each, i): [string, string] => {
+    const begin = Math.max(0, Math.min(all.indexOf(block) - MAX_PASSES / 2, all.length - MAX_PASSES));
+    const options = Array.from(all.slice(begin, begin + MAX_PASSES), (each, i): [string, string] => {
       return [String(each), words.passAt(begin + i + 1, all.length, timeText(robot.blocks.start_s(each)))];
     });
     const hadFocus = this.passes.contains(document.activeElement);
@@ -124,7 +124,7 @@ export class Here {
 
   private async showModal(file: string, line: number): Promise<void> {
     const { asked } = this;
-    const found = await this.session.inForce(file, line);
+    const found = await this.session.activeSettingsAt(file, line);
     if (asked === this.asked) this.modal.replaceChildren(...modalText(found));
   }
 }

@@ -1,6 +1,6 @@
 // Comparison of two variants: which one is faster, and at which lines; both machines on one clock.
 
-import { check, choice, element, offer } from "../../core/dom";
+import { check, choice, element, setOptions } from "../../core/dom";
 import { Debounced } from "../../core/debounced";
 import { goTo, goToBlock } from "../../core/navigation";
 import type { Session } from "../../core/session";
@@ -14,10 +14,10 @@ import type { Variant } from "./data/variants_file";
 import { DifferenceRows } from "./difference_rows";
 import type { ListedVariant } from "./list";
 import { comparisonNotes, comparisonMessages } from "./comparison_messages";
-import { statusText } from "./words";
+import { statusText } from "./variant_texts";
 
 const words = texts.variants;
-const FIRST_ROWS = 200;
+const INITIAL_ROWS = 200;
 const TYPING_PAUSE_MS = 150;
 
 /** Variant with current results. */
@@ -42,24 +42,24 @@ export class Compare {
   private readonly rows: DifferenceRows;
   private readonly more = element("button", { class: "more", type: "button", onclick: () => this.showMore() });
   private readonly results: HTMLElement;
-  private readonly typing = new Debounced(() => this.showRows(FIRST_ROWS));
+  private readonly filterTimer = new Debounced(() => this.showRows(INITIAL_ROWS));
   private chosen: [string, string] = ["", ""];
   private listed: readonly ListedVariant[] = [];
   private pair: [CurrentVariant, CurrentVariant] | null = null;
   /** Inputs of the differences, as a text. */
-  private compared = "";
+  private comparedKey = "";
   private differences: Differences | null = null;
-  private most = FIRST_ROWS;
+  private most = INITIAL_ROWS;
   private shows = false;
 
   constructor(
     private readonly store: Store,
     private readonly session: Session,
   ) {
-    this.both = check(words.beside, (on) => this.showBeside(on));
+    this.both = check(words.beside, (on) => this.toggleComparisonView(on));
     this.search = element("input", {
       ...{ type: "search", placeholder: words.filter, "aria-label": words.filter, title: words.filterHint },
-      oninput: () => this.typing.after(TYPING_PAUSE_MS),
+      oninput: () => this.filterTimer.after(TYPING_PAUSE_MS),
     });
     this.rows = new DifferenceRows((a, b) => this.goToRow(a, b));
     this.results = element("div", {}, this.search, this.count, element("div", { class: "wide" }, this.rows.element), this.more);
@@ -72,8 +72,8 @@ export class Compare {
       this.said,
       this.results,
     );
-    store.on("run", () => this.keepBeside());
-    store.watch(["beside"], () => (this.both.box.checked = store.get("beside") !== null));
+    store.on("run", () => this.updateComparisonView());
+    store.watch(["comparisonRun"], () => (this.both.box.checked = store.get("comparisonRun") !== null));
   }
 
   /** Called when the list of variants has changed. */
@@ -86,19 +86,19 @@ export class Compare {
     const names = this.listed.map(({ variant }) => variant.name);
     this.element.hidden = names.length < 2;
     this.chosen = [0, 1].map((i) => (names.includes(this.chosen[i]) ? this.chosen[i] : (names[i] ?? ""))) as [string, string];
-    this.choices.forEach((each, i) => offer(each, names.map((name) => [name, name]), this.chosen[i]));
-    const [one, other] = this.chosen.map((name) => this.freshOf(name));
+    this.choices.forEach((each, i) => setOptions(each, names.map((name) => [name, name]), this.chosen[i]));
+    const [one, other] = this.chosen.map((name) => this.currentVariant(name));
     const before = this.pair;
     this.pair = one && other && one.run !== other.run ? [one, other] : null;
     this.both.box.disabled = !this.pair;
-    this.keepBeside();
-    const compared = JSON.stringify([this.store.get("robot"), ...(this.pair?.map(({ variant }) => [variant.name, variant.from]) ?? [])]);
-    const isSame = compared === this.compared && before && this.pair?.every(({ run }, i) => run === before[i].run);
-    this.compared = compared;
+    this.updateComparisonView();
+    const comparedKey = JSON.stringify([this.store.get("robot"), ...(this.pair?.map(({ variant }) => [variant.name, variant.from]) ?? [])]);
+    const isSame = comparedKey === this.comparedKey && before && this.pair?.every(({ run }, i) => run === before[i].run);
+    this.comparedKey = comparedKey;
     if (!isSame || !this.differences) this.compare();
   }
 
-  private freshOf(name: string): CurrentVariant | null {
+  private currentVariant(name: string): CurrentVariant | null {
     const found = this.listed.find(({ variant }) => variant.name === name);
     return found && isCurrent(found.standing) ? { ...found, run: found.standing.run } : null;
   }
@@ -107,7 +107,7 @@ export class Compare {
     const { pair } = this;
     this.differences = null;
     this.results.hidden = true;
-    if (!pair) return this.said.replaceChildren(...this.whyNot().map(note));
+    if (!pair) return this.said.replaceChildren(...this.missingResultReasons().map(note));
     const robot = this.store.get("robot");
     const [a, b] = pair.map(({ run }) => ({ run, robot: run.robots[robot] }));
     const missingRun = pair.find(({ run }) => !run.robots[robot]);
@@ -119,16 +119,16 @@ export class Compare {
     this.said.replaceChildren(...sentences, ...comparisonNotes(namedComparison).map(note));
     this.differences = differences;
     this.results.hidden = !differences.reachesStart;
-    this.showRows(FIRST_ROWS);
+    this.showRows(INITIAL_ROWS);
   }
 
-  private whyNot(): string[] {
-    if (this.chosen[0] === this.chosen[1]) return [words.twoNeeded];
+  private missingResultReasons(): string[] {
+    if (this.chosen[0] === this.chosen[1]) return [words.selectTwo];
     const found = this.chosen.flatMap((name) => {
       const listed = this.listed.find(({ variant }) => variant.name === name);
-      return listed && !isCurrent(listed.standing) ? [words.notFresh(name, statusText(listed.standing)[0])] : [];
+      return listed && !isCurrent(listed.standing) ? [words.notCurrent(name, statusText(listed.standing)[0])] : [];
     });
-    return [words.twoNeeded, ...found];
+    return [words.selectTwo, ...found];
   }
 
   private showMore(): void {
@@ -158,8 +158,8 @@ export class Compare {
       this.displayed(one);
       return goToBlock(store, a);
     }
-    const beside = store.get("beside");
-    if (!beside) {
+    const comparisonRun = store.get("comparisonRun");
+    if (!comparisonRun) {
       this.displayed(other);
       return goToBlock(store, b);
     }
@@ -169,29 +169,29 @@ export class Compare {
   }
 
   private displayed({ run, variant }: CurrentVariant): void {
-    this.session.showRun(run, words.steps.toBar(variant.name));
+    this.session.showRun(run, words.steps.applySetup(variant.name));
   }
 
-  private showBeside(on: boolean): void {
+  private toggleComparisonView(on: boolean): void {
     const { pair, store } = this;
-    if (!on || !pair) return store.set("beside", null);
+    if (!on || !pair) return store.set("comparisonRun", null);
     // The run of the first variant is shown, which would otherwise end the comparison view.
     this.shows = true;
     this.displayed(pair[0]);
     this.shows = false;
-    store.set("beside", { run: pair[1].run, names: [this.chosen[0], this.chosen[1]] });
+    store.set("comparisonRun", { run: pair[1].run, names: [this.chosen[0], this.chosen[1]] });
     const { from } = pair[1].variant.from ? pair[1].variant : pair[0].variant;
     const { starts_s } = this.differences ?? {};
     if (from && starts_s) store.set("time_s", Math.min(...starts_s));
   }
 
   /** Keeps both in the view while they are the chosen ones and current. */
-  private keepBeside(): void {
+  private updateComparisonView(): void {
     const { store, pair } = this;
-    const beside = store.get("beside");
-    if (!beside || this.shows) return;
-    const isShownPair = pair !== null && store.get("run") === pair[0].run && beside.run === pair[1].run;
-    if (!isShownPair) store.set("beside", null);
+    const comparisonRun = store.get("comparisonRun");
+    if (!comparisonRun || this.shows) return;
+    const isShownPair = pair !== null && store.get("run") === pair[0].run && comparisonRun.run === pair[1].run;
+    if (!isShownPair) store.set("comparisonRun", null);
   }
 }
 

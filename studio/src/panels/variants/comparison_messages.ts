@@ -1,13 +1,13 @@
 // Comparison of two variants in messages: the faster one, the lines with the difference, and notes.
 
-import { limitText } from "../../core/names";
+import { limitText } from "../../core/display_names";
 import { percentText, timeText } from "../../core/units";
 import { texts } from "../../texts";
 import { cachedBlockTable } from "../results/data/block_table";
 import { MIN_DIFFERENCE_S } from "../results/data/comparison";
-import { blockLimit } from "../results/data/limit_words";
+import { blockLimit } from "../results/data/limit_texts";
 import { isCompleteRun, type Differences, type Row } from "./data/differences";
-import { signedTime } from "./words";
+import { signedTime } from "./variant_texts";
 
 const words = texts.variants;
 const MAX_LISTED_LINES = 3;
@@ -64,12 +64,12 @@ function betweenBlocksMessages({ total_s, blockDifference_s }: Differences): str
 /** Returns notes on differences of the work, and on times that are not comparable. */
 export function comparisonNotes({ differences, names }: NamedComparison): string[] {
   const { a, b, from, startBlocks, matching } = differences;
-  const never = from ? startBlocks.flatMap((begin, i) => (begin < 0 ? [`“${names[i]}” ${words.neverThere(from.line)}.`] : [])) : [];
+  const never = from ? startBlocks.flatMap((begin, i) => (begin < 0 ? [`“${names[i]}” ${words.lineNotReached(from.line)}.`] : [])) : [];
   const stopped = [a, b].flatMap(({ run }, i) => (isCompleteRun(run) ? [] : [words.stoppedEarly(names[i], timeText(run.end_s))]));
   return [
     ...never,
     ...stopped,
-    ...(from ? [words.wholeRun] : []),
+    ...(from ? [words.fullRunNote] : []),
     ...matching.otherTexts.map((pair) => words.otherTexts(pair.a, pair.b)),
     ...matching.unloadedTexts.map((pair) => words.unreadTexts(pair.a, pair.b)),
   ];

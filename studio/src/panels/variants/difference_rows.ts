@@ -3,10 +3,10 @@
 import { element } from "../../core/dom";
 import { timeText } from "../../core/units";
 import { texts } from "../../texts";
-import { beginRows, makeRows } from "../results/rows";
+import { initializeTabStops, makeRows } from "../results/rows";
 import type { Differences, Row } from "./data/differences";
 import { limitInRun, passText } from "./comparison_messages";
-import { signedTime } from "./words";
+import { signedTime } from "./variant_texts";
 
 const words = texts.variants;
 
@@ -29,7 +29,7 @@ export class DifferenceRows {
     this.head.replaceChildren(...heads.map((name) => element("th", { scope: "col" }, name)));
     this.body.replaceChildren(...rows.map((row) => createRow(row, differences)));
     this.element.hidden = rows.length === 0;
-    beginRows(this.body);
+    initializeTabStops(this.body);
   }
 }
 

@@ -1,13 +1,14 @@
 // Parts of a variant: a field for each part of its setup.
 
-import { check, choice, element, offer } from "../../core/dom";
-import { dialectOfName, namesOfKind, shortName } from "../../core/kinds";
+import { check, choice, element, setOptions } from "../../core/dom";
+import { dialectTitles } from "../../core/dialects";
+import { dialectOfName, namesOfKind, shortName } from "../../core/file_kinds";
 import { controllerNames } from "../../core/controller_override";
 import type { Session } from "../../core/session";
 import { MAX_OVERRIDE_PERCENT, fileKeys, overrideKeys, type Setup } from "../../core/setup";
 import { texts } from "../../texts";
 import type { Variant } from "./data/variants_file";
-import { fromText } from "./words";
+import { startText } from "./variant_texts";
 
 const words = texts.variants;
 
@@ -48,13 +49,13 @@ export class Fields {
       this.from(),
       this.file(program),
       this.file(machine),
-      this.choice("controller", () => [["", words.asTheMachineSays], ...controllerNames(session.documents).map(fileOption)]),
+      this.choice("controller", () => [["", words.fromMachineFile], ...controllerNames(session.documents).map(fileOption)]),
       this.override(feed),
     ];
     const rare = [
       ...overrides.map((key) => this.override(key)),
       ...files.map((key) => this.file(key)),
-      this.choice("dialect", () => [["", words.asTheMachineSays], ...Object.entries(texts.run.dialects)]),
+      this.choice("dialect", () => [["", words.fromMachineFile], ...Object.entries(dialectTitles)]),
       this.collisions(),
     ];
     this.fields = [...main, ...rare];
@@ -87,7 +88,7 @@ export class Fields {
     const show = ({ setup }: Variant) => {
       const all = options();
       if (!all.some(([value]) => value === setup[key])) all.push([setup[key], shortName(setup[key])]);
-      offer(select, all, setup[key]);
+      setOptions(select, all, setup[key]);
     };
     return { element: row(label, select), show };
   }
@@ -122,7 +123,7 @@ export class Fields {
     const line = element("div", { class: "field" }, element("span", {}, words.fromRow), element("span", { class: "from" }, text, " ", button));
     const show = ({ from }: Variant) => {
       line.hidden = !from;
-      text.textContent = from ? `${shortName(from.file)}, ${fromText(from)}` : "";
+      text.textContent = from ? `${shortName(from.file)}, ${startText(from)}` : "";
     };
     return { element: line, show };
   }

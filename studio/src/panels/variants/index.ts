@@ -1,10 +1,10 @@
 // Variants: setups of the same work, run and compared with each other.
 
 import "./variants.css";
-import { element, offer, choice } from "../../core/dom";
+import { element, setOptions, choice } from "../../core/dom";
 import { Debounced } from "../../core/debounced";
 import { goTo } from "../../core/navigation";
-import { shortName } from "../../core/kinds";
+import { shortName } from "../../core/file_kinds";
 import type { Session } from "../../core/session";
 import { isSameSetup, type Setup } from "../../core/setup";
 import type { Store } from "../../core/store";
@@ -17,13 +17,13 @@ import { Compare } from "./compare";
 import { ListFile } from "./data/list_file";
 import { Results, isCurrent } from "./data/results";
 import { Runner } from "./data/runner";
-import type { From, Variant } from "./data/variants_file";
+import type { StartBlock, Variant } from "./data/variants_file";
 import { Fields } from "./fields";
-import { Here } from "./block_panel";
+import { BlockPanel } from "./block_panel";
 import { VariantList, type ListedVariant } from "./list";
 
 const words = texts.variants;
-const FIRST_MARKS = 8;
+const INITIAL_MARKS = 8;
 
 /** Errors only, without other marks. */
 const ERROR_KINDS: readonly string[] = ["alarm", "collision", "violation", "zone"];
@@ -41,15 +41,15 @@ class VariantsPanel implements PanelForm {
   private readonly runAll = button(words.runAll, words.runAllHint, () => this.runStale());
   private readonly cancelButton = button(words.cancel, "", () => this.runner.cancel());
   private readonly progress = element("div", { class: "running", role: "status" });
-  private readonly fault = element("p", { class: "fault", role: "alert" });
+  private readonly error = element("p", { class: "fault", role: "alert" });
   private readonly about = element("p", { class: "note" }, words.about);
   private readonly list = new VariantList({ choose: (row) => this.choose(row), remove: (row) => this.remove(row) });
   private readonly fields: Fields;
-  private readonly chosenRow: HTMLElement;
-  private readonly chosenPlace = element("div", {});
+  private readonly detailRow: HTMLElement;
+  private readonly detailArea = element("div", {});
   private readonly marks = element("div", { class: "places" });
   private readonly compare: Compare;
-  private readonly here: Here;
+  private readonly blockPanel: BlockPanel;
   private readonly redrawTimer = new Debounced(() => this.draw());
   private listed: ListedVariant[] = [];
   private chosen = 0;
@@ -68,7 +68,7 @@ class VariantsPanel implements PanelForm {
       fromStart: () => this.change(words.fromRow, (variant) => ({ ...variant, from: null })),
     });
     this.compare = new Compare(store, session);
-    this.here = new Here(store, session, (from) => this.fromHere(from));
+    this.blockPanel = new BlockPanel(store, session, (from) => this.setStartBlock(from));
     const head = element("div", { class: "buttons" }, this.files, this.saveButton);
     const actionButtons = [button(words.add, words.addHint, () => this.add()), button(words.keep, words.keepHint, () => this.keep())];
     const add = element("div", { class: "buttons" }, ...actionButtons, this.runAll);
@@ -76,13 +76,13 @@ class VariantsPanel implements PanelForm {
       "div",
       { class: "buttons" },
       button(words.run, "", () => this.runChosen()),
-      button(words.toBar, words.toBarHint, () => this.toBar()),
+      button(words.applySetup, words.applySetupHint, () => this.applySetup()),
       button(words.copy, "", () => this.copy()),
       button(words.remove, "", () => this.remove(this.chosen)),
     );
-    this.chosenRow = element("div", { class: "chosen" }, actionBar, this.fields.element, this.marks);
-    const parts = [head, add, this.progress, this.fault, this.about, element("div", { class: "wide" }, this.list.element), this.chosenPlace];
-    this.element = element("div", { class: "variants" }, ...parts, this.compare.element, this.here.element);
+    this.detailRow = element("div", { class: "chosen" }, actionBar, this.fields.element, this.marks);
+    const parts = [head, add, this.progress, this.error, this.about, element("div", { class: "wide" }, this.list.element), this.detailArea];
+    this.element = element("div", { class: "variants" }, ...parts, this.compare.element, this.blockPanel.element);
     this.listen();
     this.showRunning();
   }
@@ -99,20 +99,20 @@ class VariantsPanel implements PanelForm {
       if (setup && this.variants.some((variant) => isSameSetup(variant.setup, setup))) this.results.accept(run);
       refresh();
     });
-    store.on("hereAsked", (isAsked) => {
+    store.on("isBlockPanelRequested", (isAsked) => {
       if (!isAsked) return;
-      store.set("hereAsked", false);
-      this.here.reveal();
+      store.set("isBlockPanelRequested", false);
+      this.blockPanel.reveal();
     });
-    for (const key of ["selection", "run"] as const) store.on(key, () => this.isVisible && this.here.show());
+    for (const key of ["selection", "run"] as const) store.on(key, () => this.isVisible && this.blockPanel.show());
   }
 
-  displayed(): void {
+  onDisplayed(): void {
     this.isVisible = true;
     this.draw();
   }
 
-  hidden(): void {
+  onHidden(): void {
     this.isVisible = false;
   }
 
@@ -126,9 +126,9 @@ class VariantsPanel implements PanelForm {
 
   /** Redraws only visible parts, and the data that the view shows. */
   private draw(): void {
-    if (!this.isVisible && this.store.get("beside") === null) return;
+    if (!this.isVisible && this.store.get("comparisonRun") === null) return;
     const read = this.file.read();
-    this.fault.textContent = read.variants ? "" : words.unreadable(shortName(this.file.name), read.fault);
+    this.error.textContent = read.variants ? "" : words.unreadable(shortName(this.file.name), read.error);
     this.listed = (read.variants ?? []).map((variant) => ({ variant, standing: this.results.standing(variant.setup) }));
     this.chosen = Math.max(0, Math.min(this.chosen, this.listed.length - 1));
     this.about.hidden = this.listed.length > 0 || read.variants === null;
@@ -136,24 +136,28 @@ class VariantsPanel implements PanelForm {
     this.list.show(this.listed, this.chosen, this.store.get("robot"));
     this.showChosen();
     this.compare.show(this.listed);
-    this.here.show();
+    this.blockPanel.show();
   }
 
   private showFiles(): void {
     const { file } = this;
     const isNew = file.isNew;
     const names = file.names.map((name): [string, string] => [name, shortName(name)]);
-    offer(this.files, [...(isNew || names.length === 0 ? [["", words.newFile(file.newName)] as const] : []), ...names], isNew ? "" : file.name);
+    setOptions(
+      this.files,
+      [...(isNew || names.length === 0 ? [["", words.newFile(file.newName)] as const] : []), ...names],
+      isNew ? "" : file.name,
+    );
     this.saveButton.setAttribute("aria-disabled", String(isNew));
     this.saveButton.title = isNew ? words.nothingToSave : words.saveHint(shortName(file.name));
     this.runAll.disabled = this.stale.length === 0;
-    this.runAll.title = this.listed.length > 0 && this.stale.length === 0 ? words.allHaveRun : words.runAllHint;
+    this.runAll.title = this.listed.length > 0 && this.stale.length === 0 ? words.allAreCurrent : words.runAllHint;
   }
 
   private showChosen(): void {
     const { variant } = this;
-    if (!variant) return this.chosenRow.remove();
-    if (!this.chosenRow.isConnected) this.chosenPlace.append(this.chosenRow);
+    if (!variant) return this.detailRow.remove();
+    if (!this.detailRow.isConnected) this.detailArea.append(this.detailRow);
     this.fields.show(variant);
     this.showMarks();
   }
@@ -166,11 +170,11 @@ class VariantsPanel implements PanelForm {
     const items = marks.map((mark) => ({
       ...markItem(mark, this.store),
       choose: () => {
-        this.toBar();
+        this.applySetup();
         goTo(this.store, mark, mark.t_s);
       },
     }));
-    this.marks.replaceChildren(...(items.length > 0 ? [itemList(words.marks, items, FIRST_MARKS)] : []));
+    this.marks.replaceChildren(...(items.length > 0 ? [itemList(words.marks, items, INITIAL_MARKS)] : []));
   }
 
   private showRunning(): void {
@@ -195,8 +199,8 @@ class VariantsPanel implements PanelForm {
 
   /** Adds a variant at the end and selects it. */
   private append(label: (name: string) => string, variant: Variant): void {
-    const { fault } = this.file.read();
-    if (fault) return this.store.set("notice", words.unreadable(shortName(this.file.name), fault));
+    const { error } = this.file.read();
+    if (error) return this.store.set("notice", words.unreadable(shortName(this.file.name), error));
     const renamedVariant = { ...variant, name: this.file.free(variant.name) };
     this.file.change(label(renamedVariant.name), (variants) => [...variants, renamedVariant]);
     this.chosen = this.variants.length - 1;
@@ -210,7 +214,7 @@ class VariantsPanel implements PanelForm {
   private keep(): void {
     const run = this.store.get("run");
     const origin = run && this.session.origin(run);
-    if (!origin) return this.store.set("notice", words.nothingRan);
+    if (!origin) return this.store.set("notice", words.noRuns);
     this.results.accept(run);
     this.append(words.steps.kept, { name: words.names.kept, setup: { ...origin.setup }, from: null });
   }
@@ -219,7 +223,7 @@ class VariantsPanel implements PanelForm {
     if (this.variant) this.append(words.steps.added, { ...this.variant, name: words.names.copy(this.variant.name) });
   }
 
-  private fromHere(from: From): void {
+  private setStartBlock(from: StartBlock): void {
     const run = this.store.get("run")!;
     const setup: Readonly<Setup> = this.session.origin(run)?.setup ?? this.session.setup;
     // Lines of an earlier text may have moved.
@@ -273,10 +277,10 @@ class VariantsPanel implements PanelForm {
     if (this.variant) void this.runner.run([this.variant]);
   }
 
-  private toBar(): void {
+  private applySetup(): void {
     const { variant, standing } = this.listed[this.chosen] ?? {};
     if (!variant || !standing) return;
-    const label = words.steps.toBar(variant.name);
+    const label = words.steps.applySetup(variant.name);
     if (isCurrent(standing)) this.session.showRun(standing.run, label);
     else this.session.history.edit(label, { setup: variant.setup });
   }

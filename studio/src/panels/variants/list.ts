@@ -2,10 +2,10 @@
 
 import { element } from "../../core/dom";
 import { texts } from "../../texts";
-import { beginRows, makeRows } from "../results/rows";
+import { initializeTabStops, makeRows } from "../results/rows";
 import { isCurrent, type VariantStatus } from "./data/results";
 import type { Variant } from "./data/variants_file";
-import { countedTime_s, signedTime, statusText, runTime, variantText } from "./words";
+import { countedTime_s, signedTime, statusText, runTime, variantText } from "./variant_texts";
 
 const words = texts.variants;
 
@@ -34,7 +34,7 @@ export class VariantList {
     const hadFocus = this.body.contains(document.activeElement);
     this.body.replaceChildren(...all.map((each, i) => this.row(each, all[0], i === chosen, robot)));
     this.element.hidden = all.length === 0;
-    beginRows(this.body);
+    initializeTabStops(this.body);
     const rows = [...this.body.children] as HTMLElement[];
     if (rows[chosen]) rows.forEach((row, i) => (row.tabIndex = i === chosen ? 0 : -1));
     if (hadFocus) rows[chosen]?.focus();

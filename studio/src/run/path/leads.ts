@@ -67,11 +67,11 @@ class Leads {
     this.targets = file.paths[path].targets;
   }
 
-  add(first: number, count: number): string | { fault: string } {
+  add(first: number, count: number): string | { error: string } {
     const inside = ({ place }: Motion) => place.path === this.path && place.target >= first && place.target < first + count;
     const cuts = this.walk.motions.filter((motion) => inside(motion) && isCut(motion));
     cuts.sort((a, b) => a.place.target - b.place.target);
-    if (cuts.length === 0) return { fault: words.noCut };
+    if (cuts.length === 0) return { error: words.noCut };
     // The lead-out comes first, so that target numbers stay valid.
     if (this.choice.out) this.leadOut(cuts.at(-1)!);
     if (this.choice.into) this.leadIn(cuts[0]);
@@ -142,4 +142,4 @@ export const addLeads = (
   { path, target }: TargetId,
   count: number,
   choice: LeadChoice,
-): string | { fault: string } => new Leads(text, file, walk, path, choice).add(target, count);
+): string | { error: string } => new Leads(text, file, walk, path, choice).add(target, count);

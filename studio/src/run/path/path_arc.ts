@@ -19,8 +19,8 @@ const MIN_LENGTH_MM = 1e-6;
 /** Max distance of the ends of an arc from its circle. */
 const TOLERANCE_MM = 0.01;
 const FULL_TURN_rad = 2 * Math.PI;
-const DEG = 180 / Math.PI;
-const words = texts.paths.faults;
+const DEG_PER_RAD = 180 / Math.PI;
+const words = texts.paths.errors;
 
 /** Returns the angle from one radius to another about the normal, from 0 to a full turn. */
 function angleBetween(from: Vector, to: Vector, normal: Vector): number {
@@ -28,7 +28,7 @@ function angleBetween(from: Vector, to: Vector, normal: Vector): number {
   return angle < 0 ? angle + FULL_TURN_rad : angle;
 }
 
-function through(start: Vector, via: Vector, end: Vector): Arc | string {
+function arcThrough(start: Vector, via: Vector, end: Vector): Arc | string {
   const chord = subtract(end, start);
   const toVia = subtract(via, start);
   if (vectorLength(chord) < MIN_LENGTH_MM) return words.viaNoWay;
@@ -56,10 +56,10 @@ function about(start: Vector, { center_mm, normal, turn_deg }: Point, end: Vecto
   const [radius_mm, endRadius_mm] = [vectorLength(first), vectorLength(last)];
   if (radius_mm < MIN_LENGTH_MM) return words.startsAtCenter;
   if (Math.abs(endRadius_mm - radius_mm) > TOLERANCE_MM) return words.radiiDiffer(radius_mm.toPrecision(6), endRadius_mm.toPrecision(6));
-  const turn_rad = turn_deg! / DEG;
+  const turn_rad = turn_deg! / DEG_PER_RAD;
   const off = wrapped(turn_rad - angleBetween(first, last, axis));
   if (Math.abs(off) * radius_mm > TOLERANCE_MM) {
-    const right = (turn_rad - off) * DEG;
+    const right = (turn_rad - off) * DEG_PER_RAD;
     return words.turnLeadsElsewhere(turn_deg!, (right > 0 ? right : right + 360).toPrecision(6));
   }
   return { center, first, normal: axis, endRadius_mm, turn_rad: Math.max(turn_rad - off, Math.abs(off)), rise_mm };
@@ -67,7 +67,7 @@ function about(start: Vector, { center_mm, normal, turn_deg }: Point, end: Vecto
 
 /** Returns the arc from a start to a circular point, or a message if none exists. */
 export function arcTo(start: Vector, point: Point): Arc | string {
-  return point.via_mm ? through(start, point.via_mm, point.position_mm) : about(start, point, point.position_mm);
+  return point.via_mm ? arcThrough(start, point.via_mm, point.position_mm) : about(start, point, point.position_mm);
 }
 
 /** Returns a point of an arc, at a share from 0 to 1 of its length. */

@@ -136,7 +136,7 @@ export const rootIndex = (file: PathFile): number => (file.root === undefined ? 
  */
 export const isRecorded = ({ work_offsets }: PathFile): boolean => Object.keys(work_offsets ?? {}).length > 0;
 
-const words = texts.paths.faults;
+const words = texts.paths.errors;
 
 const FILE_KEYS = ["$schema", "format", "name", "root", "paths", "work_offsets"];
 /** Keys of a path, in the order of files. */
@@ -146,15 +146,15 @@ const isObject = (value: JsonValue | undefined): value is { [key: string]: JsonV
   typeof value === "object" && value !== null && !Array.isArray(value);
 
 /** Returns a message about the first key that is not allowed there. */
-const strange = (value: object, known: string[], where: string): string | null => {
+const unknownKeyError = (value: object, known: string[], where: string): string | null => {
   const key = Object.keys(value).find((each) => !known.includes(each));
   return key === undefined ? null : words.unknownKey(key, where, known.join(", "));
 };
 
 /** Returns why JSON values are not a path file; the place is a position in the text. */
-function shapeError(value: JsonValue): { text: string; at: JsonPath } | null {
+function structureError(value: JsonValue): { text: string; at: JsonPath } | null {
   if (!isObject(value)) return { text: words.noObject, at: [] };
-  const unknown = strange(value, FILE_KEYS, words.ofFile);
+  const unknown = unknownKeyError(value, FILE_KEYS, words.ofFile);
   if (unknown) return { text: unknown, at: [] };
   const otherFormat = formatError(value.format);
   if (otherFormat) return { text: otherFormat, at: ["format"] };
@@ -164,15 +164,15 @@ function shapeError(value: JsonValue): { text: string; at: JsonPath } | null {
   const { paths } = value;
   if (!Array.isArray(paths) || paths.length === 0) return { text: words.noPaths, at: [] };
   for (let i = 0; i < paths.length; ++i) {
-    const fault = pathError(paths[i]);
-    if (fault) return { text: fault.text, at: ["paths", i, ...fault.at] };
+    const error = pathError(paths[i]);
+    if (error) return { text: error.text, at: ["paths", i, ...error.at] };
   }
   return null;
 }
 
 function pathError(path: JsonValue): { text: string; at: JsonPath } | null {
   if (!isObject(path)) return { text: words.noPathObject, at: [] };
-  const unknown = strange(path, pathKeys, words.ofPath);
+  const unknown = unknownKeyError(path, pathKeys, words.ofPath);
   if (unknown) return { text: unknown, at: [] };
   if (typeof path.name !== "string" || path.name === "") return { text: words.noName, at: [] };
   const setupError = setupValuesError(path);
@@ -196,12 +196,12 @@ function errorAt(text: string, at: number, sentence: string): Error {
 export function readPathFile(text: string): PathFile | Error {
   try {
     const value = readJson(text);
-    const fault = shapeError(value);
-    if (!fault) return value as unknown as PathFile;
-    return errorAt(text, valueSpan(text, fault.at).from, fault.text);
-  } catch (fault) {
-    if (!(fault instanceof JsonError)) throw fault;
-    return errorAt(text, fault.at, fault.message);
+    const error = structureError(value);
+    if (!error) return value as unknown as PathFile;
+    return errorAt(text, valueSpan(text, error.at).from, error.text);
+  } catch (error) {
+    if (!(error instanceof JsonError)) throw error;
+    return errorAt(text, error.at, error.message);
   }
 }
 

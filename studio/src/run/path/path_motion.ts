@@ -8,10 +8,10 @@ import { add, between, cross, distance, rounded, roundedVector, scaled, subtract
 const noArc: PointChange = { via_mm: undefined, center_mm: undefined, normal: undefined, turn_deg: undefined };
 /** Distance of the first arc between two points from their chord, relative to its length. */
 const ARC_HEIGHT_SHARE = 0.25;
-const DEG = 180 / Math.PI;
+const DEG_PER_RAD = 180 / Math.PI;
 
 /** Returns a point next to the middle of a chord, to the right of the path as the tool looks down. */
-function pointBesideChord(from: Vector, to: Vector, up: Vector): Vector {
+function centerLeftOfChord(from: Vector, to: Vector, up: Vector): Vector {
   const chord = subtract(to, from);
   const lateral = unit(cross(chord, up)) ?? unit(cross(chord, [1, 0, 0])) ?? [0, 1, 0];
   return roundedVector(add(between(from, to, 0.5), scaled(lateral, ARC_HEIGHT_SHARE * Math.max(distance(from, to), 1))));
@@ -20,7 +20,8 @@ function pointBesideChord(from: Vector, to: Vector, up: Vector): Vector {
 /** Returns the change to another motion; an arc begins as a flat one through a point next to the chord. */
 export function motionChange(point: Point, motion: MotionType, from_mm: Vector | null, up: Vector): PointChange {
   const change: PointChange = { motion };
-  if (motion === "circular") return { ...change, lead_mm: undefined, via_mm: pointBesideChord(from_mm ?? [0, 0, 0], point.position_mm, up) };
+  if (motion === "circular")
+    return { ...change, lead_mm: undefined, via_mm: centerLeftOfChord(from_mm ?? [0, 0, 0], point.position_mm, up) };
   if (motion !== "linear") change.lead_mm = undefined;
   return pointMotion(point) === "circular" ? { ...change, ...noArc } : change;
 }
@@ -31,7 +32,7 @@ export const byCenter = ({ center, normal, turn_rad }: Arc): PointChange => ({
   ...noArc,
   center_mm: roundedVector(center),
   normal: roundedVector(normal),
-  turn_deg: rounded(turn_rad * DEG),
+  turn_deg: rounded(turn_rad * DEG_PER_RAD),
 });
 
 /** Returns the same arc by its centre, or by its via point; null: not possible. */

@@ -8,7 +8,7 @@ import type { Vector } from "./vector";
 
 /** Max nesting depth of sub-paths; the root is not counted. */
 const MAX_DEPTH = 8;
-const words = texts.paths.faults;
+const words = texts.paths.errors;
 
 type Orientation = Pick<Point, "tool_axis" | "rpy_deg" | "rotary_deg">;
 
@@ -43,7 +43,7 @@ export interface PathTraversal {
   before: Map<string, State>;
   /** Numbers of the paths that the root leads to. */
   used: Set<number>;
-  faults: Error[];
+  errors: Error[];
 }
 
 /** Returns the state after a point, or after all settings of a path. */
@@ -68,12 +68,12 @@ export function stateAfter(before: State, later: State): State {
 }
 
 class Walker {
-  readonly walk: PathTraversal = { motions: [], before: new Map(), used: new Set(), faults: [] };
+  readonly walk: PathTraversal = { motions: [], before: new Map(), used: new Set(), errors: [] };
   /** Settings of each path that was already walked. */
   private readonly changes = new Map<number, State>();
   /** Entries into walked paths: first point, and previous position of the tool. */
   private readonly ways = new Set<string>();
-  private readonly faulty = new Set<string>();
+  private readonly targetsWithErrors = new Set<string>();
 
   constructor(private readonly file: PathFile) {}
 
@@ -85,7 +85,7 @@ class Walker {
       names.add(name);
     });
     const root = rootIndex(file);
-    if (root < 0) walk.faults.push({ text: words.noPath(file.root!), place: null });
+    if (root < 0) walk.errors.push({ text: words.noPath(file.root!), place: null });
     else this.enter(root, {}, []);
     walk.used = new Set(this.changes.keys());
     // Unused paths are drawn, too: the user may be about to use them.
@@ -97,9 +97,9 @@ class Walker {
 
   private fail(place: TargetId, text: string): void {
     const key = targetKey(place);
-    if (this.faulty.has(key)) return;
-    this.faulty.add(key);
-    this.walk.faults.push({ text, place });
+    if (this.targetsWithErrors.has(key)) return;
+    this.targetsWithErrors.add(key);
+    this.walk.errors.push({ text, place });
   }
 
   /** Walks through a path for the first time; returns the state after it. */
@@ -133,24 +133,24 @@ class Walker {
     else if (way.includes(path)) this.fail(place, words.circle(name));
     else if (way.length > MAX_DEPTH) this.fail(place, words.tooDeep(MAX_DEPTH));
     else {
-      if (this.changes.has(path)) this.comeTo(path, state);
+      if (this.changes.has(path)) this.addEntry(path, state);
       else this.enter(path, state, way);
       const change = this.changes.get(path)!;
       // Each pass after the first starts at the path's own end.
-      if (repeats > 1) this.comeTo(path, stateAfter(state, change));
+      if (repeats > 1) this.addEntry(path, stateAfter(state, change));
       return change;
     }
     return {};
   }
 
   /** Adds another entry into a walked path: only its first motion differs. */
-  private comeTo(path: number, state: State, depth = 0): void {
+  private addEntry(path: number, state: State, depth = 0): void {
     const [first] = this.file.paths[path].targets;
     const place = { path, target: 0 };
     if (isMachinePoint(first)) return;
     if (!isSubPath(first)) return this.go(place, first, state, false);
     const below = findPathIndex(this.file, first.path);
-    if (depth < MAX_DEPTH && this.changes.has(below)) this.comeTo(below, state, depth + 1);
+    if (depth < MAX_DEPTH && this.changes.has(below)) this.addEntry(below, state, depth + 1);
   }
 
   private go(place: TargetId, point: Point, state: State, isOutermost: boolean): void {

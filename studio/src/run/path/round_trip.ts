@@ -38,7 +38,7 @@ class Polyline {
     this.places.push(...to);
   }
 
-  pieces(): LineSegmentTree {
+  toSegmentTree(): LineSegmentTree {
     return new LineSegmentTree(Float64Array.from(this.ends));
   }
 
@@ -102,5 +102,5 @@ export function roundTrip(walk: PathTraversal, segments: Segments): RoundTrip | 
   const cuts = runPolyline(segments, walk.motions[0].to_mm);
   // A run that never reaches the path is compared completely.
   const held = cuts.ends.length > 0 ? cuts : way;
-  return { runDeviation_mm: held.maxDistanceFrom(path.pieces()), pathDeviation_mm: path.maxDistanceFrom(way.pieces()) };
+  return { runDeviation_mm: held.maxDistanceFrom(path.toSegmentTree()), pathDeviation_mm: path.maxDistanceFrom(way.toSegmentTree()) };
 }

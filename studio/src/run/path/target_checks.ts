@@ -6,7 +6,7 @@ import { texts } from "../../texts";
 /** Returns the required form of a value, in words, or null if it is valid. */
 type Check = (value: JsonValue) => string | null;
 
-const words = texts.paths.faults;
+const words = texts.paths.errors;
 
 const MAX_COORDINATE = 1e6; // mm or deg; beyond any machine
 const MAX_RATE = 1e9;
@@ -94,8 +94,8 @@ function areTouches(value: JsonValue): string | null {
     if (typeof touch !== "object" || touch === null || Array.isArray(touch)) return words.touches;
     const missingKey = Object.keys(touchChecks).slice(0, REQUIRED_TOUCH_KEYS).find((key) => touch[key] === undefined);
     if (missingKey) return words.touchLacks(missingKey);
-    const fault = valuesError(touch, touchChecks, words.ofTouch);
-    if (fault) return words.inTouch(fault);
+    const error = valuesError(touch, touchChecks, words.ofTouch);
+    if (error) return words.inTouch(error);
   }
   return null;
 }
@@ -133,8 +133,8 @@ type Members = { [key: string]: JsonValue | undefined };
 function valuesError(target: Members, checks: Record<string, Check>, what: string): string | null {
   for (const [key, value] of Object.entries(target)) {
     if (!Object.hasOwn(checks, key)) return words.unknownKey(key, what, Object.keys(checks).join(", "));
-    const fault = value === undefined ? null : checks[key](value);
-    if (fault) return words.value(key, fault);
+    const error = value === undefined ? null : checks[key](value);
+    if (error) return words.value(key, error);
   }
   return null;
 }

@@ -27,7 +27,7 @@ export function toRpy(rotation: Quaternion): Vector {
 
 /** Returns the tool's frame in that of the work. */
 export function toolInWork(chain: Chain, joints: ArrayLike<number>, t_s = 0): Matrix4 {
-  const { tool, work } = chain.places(joints, t_s);
+  const { tool, work } = chain.linkPoses(joints, t_s);
   return work.invert().multiply(tool);
 }
 

@@ -4,7 +4,7 @@ import uPlot from "uplot";
 import { element } from "../../core/dom";
 import { themeColour } from "../../core/theme";
 import { vermilion } from "../../core/colours";
-import { ticks, type TimeWindow } from "../window";
+import { ticks, type TimeWindow } from "../time_window";
 import type { Curves } from "./curves";
 import type { Limit } from "./limit_lines";
 import { areaPaths, linePaths } from "./paths";
@@ -83,7 +83,7 @@ export class Chart {
       hooks: {
         draw: [() => this.drawLimits(), () => this.drawMarks()],
         setSelect: [() => this.zoomToSelection()],
-        setCursor: [(plot) => this.tellHover(plot, actions)],
+        setCursor: [(plot) => this.reportHover(plot, actions)],
       },
     };
   }
@@ -211,7 +211,7 @@ export class Chart {
     this.window.set(from_s, to_s);
   }
 
-  private tellHover(plot: uPlot, actions: ChartActions): void {
+  private reportHover(plot: uPlot, actions: ChartActions): void {
     const left = plot.cursor.left ?? -1;
     actions.hover(left < 0 ? null : plot.posToVal(left, "x"));
   }

@@ -3,7 +3,7 @@
 import { lawBreaks_s, isProportional, jointsAt, pathLawOffset, pathAcceleration, pathSpeed } from "../../run/evaluate";
 import type { SegmentRecord } from "../../run/evaluate";
 import { Flag } from "../../run/kinds";
-import { lawLength, newRange, extendByLaw } from "../../run/law";
+import { lawLength, newRange, extendByLaw } from "../../run/time_law";
 import { isRapid, type Segments } from "../../run/segments";
 import type { Chunk } from "../../run/run_section";
 
@@ -40,7 +40,7 @@ export class CurveSampler {
   }
 
   /** Null: it is not here. */
-  spot(index: number): SegmentRef | null {
+  segmentRef(index: number): SegmentRef | null {
     const here = this.segments.locate(index);
     return here && { chunk: here[0], i: here[1], part: this.segments.part(...here) };
   }
@@ -49,9 +49,9 @@ export class CurveSampler {
   put({ chunk, i, part }: SegmentRef, t_s: number, out: Float64Array): void {
     const records = this.segments.records(chunk);
     if (this.group === "path") {
-      const { carriers } = this.segments;
-      out[PATH.speed] = pathSpeed(records, part, t_s, chunk.length_mm[i], carriers);
-      out[PATH.acceleration] = pathAcceleration(records, part, t_s, chunk.length_mm[i], carriers);
+      const { positionJoints } = this.segments;
+      out[PATH.speed] = pathSpeed(records, part, t_s, chunk.length_mm[i], positionJoints);
+      out[PATH.acceleration] = pathAcceleration(records, part, t_s, chunk.length_mm[i], positionJoints);
       out[PATH.feed] = programmedFeed(chunk, i);
       return;
     }
@@ -68,27 +68,27 @@ export class CurveSampler {
   }
 
   /** Widens `low` and `high` by all values of a segment. */
-  expand(spot: SegmentRef, low: Float32Array, high: Float32Array, at: number): void {
-    const { chunk, part } = spot;
-    if (this.group === "path" && !(part.flags & NOT_PROPORTIONAL)) return this.widenPath(spot, low, high, at);
+  expand(segmentRef: SegmentRef, low: Float32Array, high: Float32Array, at: number): void {
+    const { chunk, part } = segmentRef;
+    if (this.group === "path" && !(part.flags & NOT_PROPORTIONAL)) return this.widenPath(segmentRef, low, high, at);
     if (this.group !== "path" && isProportional(this.segments.records(chunk), part)) {
-      return this.widenProportional(spot, low, high, at);
+      return this.widenProportional(segmentRef, low, high, at);
     }
-    this.widenWithin(spot, 0, part.duration_s, low, high, at);
+    this.widenWithin(segmentRef, 0, part.duration_s, low, high, at);
   }
 
   /** Widens by part of a segment, from samples; exact at changes of laws. */
-  widenWithin(spot: SegmentRef, from_s: number, to_s: number, low: Float32Array, high: Float32Array, at: number): void {
+  widenWithin(segmentRef: SegmentRef, from_s: number, to_s: number, low: Float32Array, high: Float32Array, at: number): void {
     const addSample = (t_s: number) => {
-      this.put(spot, t_s, this.point);
+      this.put(segmentRef, t_s, this.point);
       for (let j = 0; j < this.width; ++j) expand(low, high, at + j, this.point[j]);
     };
-    for (const t_s of this.breaks_s(spot)) {
+    for (const t_s of this.breaks_s(segmentRef)) {
       if (t_s <= from_s || t_s >= to_s) continue;
       addSample(t_s);
       addSample(t_s + AFTER_S);
     }
-    const samples = isProportional(this.segments.records(spot.chunk), spot.part) ? 1 : CURVED_SAMPLES;
+    const samples = isProportional(this.segments.records(segmentRef.chunk), segmentRef.part) ? 1 : CURVED_SAMPLES;
     for (let i = 0; i <= samples; ++i) addSample(from_s + ((to_s - from_s) * i) / samples);
   }
 

@@ -39,14 +39,14 @@ function is_sampled(probe: CurveSampler, first: number, last: number, from_s: nu
   const curves = empty(probe.width);
   const point = new Float64Array(probe.width);
   for (let index = first; index <= last; ++index) {
-    const spot = probe.spot(index);
-    if (!spot) continue;
-    const start_s = spot.chunk.start_s[spot.i];
+    const segmentRef = probe.segmentRef(index);
+    if (!segmentRef) continue;
+    const start_s = segmentRef.chunk.start_s[segmentRef.i];
     const begin_s = Math.max(from_s - start_s, 0);
-    const end_s = Math.min(to_s - start_s, spot.part.duration_s);
+    const end_s = Math.min(to_s - start_s, segmentRef.part.duration_s);
     if (!(end_s > begin_s)) continue;
-    for (const t_s of instants(probe, spot, begin_s, end_s, step_s)) {
-      probe.put(spot, t_s, point);
+    for (const t_s of instants(probe, segmentRef, begin_s, end_s, step_s)) {
+      probe.put(segmentRef, t_s, point);
       push(curves, start_s + t_s, point);
     }
   }
@@ -54,10 +54,10 @@ function is_sampled(probe: CurveSampler, first: number, last: number, from_s: nu
 }
 
 /** Returns one instant a pixel, and both sides of each change of a law. */
-function instants(probe: CurveSampler, spot: SegmentRef, begin_s: number, end_s: number, step_s: number): number[] {
+function instants(probe: CurveSampler, segmentRef: SegmentRef, begin_s: number, end_s: number, step_s: number): number[] {
   const all = [begin_s, end_s];
   for (let t_s = begin_s + step_s; t_s < end_s; t_s += step_s) all.push(t_s);
-  for (const t_s of probe.breaks_s(spot)) {
+  for (const t_s of probe.breaks_s(segmentRef)) {
     if (t_s > begin_s && t_s + AFTER_S < end_s) all.push(t_s, t_s + AFTER_S);
   }
   return all.sort((a, b) => a - b);
@@ -69,9 +69,9 @@ function samplePerColumn(segments: Segments, probe: CurveSampler, from_s: number
   const point = new Float64Array(probe.width);
   for (let column = 0; column < columns; ++column) {
     const t_s = from_s + (column + 0.5) * step_s;
-    const spot = probe.spot(segments.at(t_s));
-    if (!spot) continue;
-    probe.put(spot, t_s - spot.chunk.start_s[spot.i], point);
+    const segmentRef = probe.segmentRef(segments.at(t_s));
+    if (!segmentRef) continue;
+    probe.put(segmentRef, t_s - segmentRef.chunk.start_s[segmentRef.i], point);
     push(curves, t_s, point);
   }
   return curves;
@@ -110,12 +110,12 @@ function extendBySegment(
   low: Float32Array,
   high: Float32Array,
 ): void {
-  const spot = probe.spot(index);
-  if (!spot) return;
-  const start_s = spot.chunk.start_s[spot.i];
+  const segmentRef = probe.segmentRef(index);
+  if (!segmentRef) return;
+  const start_s = segmentRef.chunk.start_s[segmentRef.i];
   const begin_s = Math.max(from_s - start_s, 0);
-  const end_s = Math.min(to_s - start_s, spot.part.duration_s);
+  const end_s = Math.min(to_s - start_s, segmentRef.part.duration_s);
   if (!(end_s > begin_s)) return;
-  if (spot.part.duration_s <= to_s - from_s) probe.expand(spot, low, high, 0);
-  else probe.widenWithin(spot, begin_s, end_s, low, high, 0);
+  if (segmentRef.part.duration_s <= to_s - from_s) probe.expand(segmentRef, low, high, 0);
+  else probe.widenWithin(segmentRef, begin_s, end_s, low, high, 0);
 }

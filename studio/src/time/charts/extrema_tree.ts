@@ -50,8 +50,8 @@ export class ExtremaTree {
     const { probe } = this;
     const last = Math.min((leaf + 1) * SEGMENTS_PER_LEAF, this.segments.count);
     for (let index = leaf * SEGMENTS_PER_LEAF; index < last; ++index) {
-      const spot = probe.spot(index);
-      if (spot && spot.part.duration_s > 0) probe.expand(spot, this.low, this.high, leaf * probe.width);
+      const segmentRef = probe.segmentRef(index);
+      if (segmentRef && segmentRef.part.duration_s > 0) probe.expand(segmentRef, this.low, this.high, leaf * probe.width);
     }
   }
 
@@ -63,8 +63,8 @@ export class ExtremaTree {
         this.addLeaf(index / SEGMENTS_PER_LEAF, low, high);
         index += SEGMENTS_PER_LEAF;
       } else {
-        const spot = this.probe.spot(index++);
-        if (spot && spot.part.duration_s > 0) this.probe.expand(spot, low, high, 0);
+        const segmentRef = this.probe.segmentRef(index++);
+        if (segmentRef && segmentRef.part.duration_s > 0) this.probe.expand(segmentRef, low, high, 0);
       }
     }
   }

@@ -8,7 +8,7 @@ import type { Mark } from "../../run/marks";
 import type { Robot } from "../../run/run";
 import type { Series, SeriesKind } from "../../run/series";
 import { texts } from "../../texts";
-import type { TimeWindow } from "../window";
+import type { TimeWindow } from "../time_window";
 import { LEFT_PX, RIGHT_PX, Chart } from "./chart";
 import { createChooser, type ChartSelection } from "./chooser";
 import { createCurves, type Curves } from "./curves";
@@ -138,8 +138,8 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
     }
     const { probe } = groupLeaves(source as Group);
     const values = new Float64Array(probe.width);
-    const spot = probe.spot(index);
-    if (spot) probe.put(spot, Math.min(t_s - spot.chunk.start_s[spot.i], spot.part.duration_s), values);
+    const segmentRef = probe.segmentRef(index);
+    if (segmentRef) probe.put(segmentRef, Math.min(t_s - segmentRef.chunk.start_s[segmentRef.i], segmentRef.part.duration_s), values);
     else values.fill(NaN);
     return values;
   }
@@ -148,7 +148,7 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
   list.append(empty, about);
   window.on(() => later(draw));
   store.on("time_s", point);
-  store.on("fetched", () => {
+  store.on("loadCount", () => {
     if (robot && needsOverview(robot.segments, window.start_s, window.end_s)) point();
     else later(draw);
   });

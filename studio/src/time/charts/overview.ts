@@ -25,7 +25,7 @@ function countMissing({ sections }: Segments, from_s: number, to_s: number, most
 export function fetchRange(segments: Segments, from_s: number, to_s: number): void {
   for (const section of segments.sections) {
     if (section.whole || section.start_s > to_s || section.end_s < from_s || segments.locate(section.first)) continue;
-    void segments.need(section.first);
+    void segments.fetchNow(section.first);
   }
 }
 

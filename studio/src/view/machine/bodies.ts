@@ -16,10 +16,10 @@ interface PlacedBody {
 
 export class Bodies {
   readonly group = new Group();
-  private readonly standing: PlacedBody[] = [];
+  private readonly placedBodies: PlacedBody[] = [];
   /** Frames moved by hand, with their offsets. */
   private readonly carriedFrames = new Set<number>();
-  private way: Matrix4 | null = null;
+  private displacement: Matrix4 | null = null;
 
   constructor(
     private readonly robot: Robot,
@@ -31,7 +31,7 @@ export class Bodies {
       mesh.name = body.name;
       if (body.role !== "jet") this.addEdges(mesh, body);
       this.group.add(mesh);
-      this.standing.push({ body, mesh });
+      this.placedBodies.push({ body, mesh });
     }
   }
 
@@ -44,23 +44,23 @@ export class Bodies {
   }
 
   place({ frames }: LinkPoses, processOn: boolean): void {
-    for (const { body, mesh } of this.standing) {
+    for (const { body, mesh } of this.placedBodies) {
       mesh.matrix.copy(frames[body.frame]);
-      if (this.way && this.carriedFrames.has(body.frame)) mesh.matrix.premultiply(this.way);
+      if (this.displacement && this.carriedFrames.has(body.frame)) mesh.matrix.premultiply(this.displacement);
       if (body.role === "jet") mesh.visible = processOn;
     }
   }
 
   show({ machine, cell }: { machine: boolean; cell: boolean }): void {
-    for (const { body, mesh } of this.standing) {
+    for (const { body, mesh } of this.placedBodies) {
       if (body.role === "jet") mesh.visible &&= machine;
       else mesh.visible = body.role === "machine" ? machine : cell;
     }
   }
 
   /** Moves the contents of a frame, including attached frames, from now on; null: back to their place. */
-  carry(frame: number, way: Matrix4 | null): void {
-    this.way = way;
+  carry(frame: number, displacement: Matrix4 | null): void {
+    this.displacement = displacement;
     this.carriedFrames.clear();
     this.robot.scene.frames?.forEach((each, i) => {
       if (i === frame || ("parent" in each && this.carriedFrames.has(each.parent))) this.carriedFrames.add(i);
@@ -69,7 +69,7 @@ export class Bodies {
 
   /** `look` returns the current look of a body, by its name; undefined: that of its role. */
   light(look: (name: string) => Role | undefined): void {
-    for (const { body, mesh } of this.standing) mesh.material = this.bodyMaterials.solid[look(body.name) ?? body.role];
+    for (const { body, mesh } of this.placedBodies) mesh.material = this.bodyMaterials.solid[look(body.name) ?? body.role];
   }
 
   dispose(): void {

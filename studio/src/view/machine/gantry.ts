@@ -34,7 +34,7 @@ function gantryHeights(skeleton: Skeleton, upright: DrawnAxis, gauge: number): H
 
 /** Draws rails, bridge and carriage for the axes before the vertical one. */
 function buildBridge(parts: Parts, skeleton: Skeleton, level: DrawnAxis[], heights: Heights): void {
-  const { tip, gauge_mm: g } = skeleton;
+  const { tip, partSize_mm: g } = skeleton;
   const [first, second] = level.length === 2 ? level : [null, level[0]];
   const along = second.along;
   const across = first ? first.along.clone() : along.clone().cross(Z).normalize();
@@ -59,7 +59,7 @@ function buildBridge(parts: Parts, skeleton: Skeleton, level: DrawnAxis[], heigh
 }
 
 export function buildGantry(parts: Parts, skeleton: Skeleton): void {
-  const { tip, gauge_mm: g, tool } = skeleton;
+  const { tip, partSize_mm: g, tool } = skeleton;
   const straight = tool.filter((axis) => !axis.rotary);
   const upright = straight[straight.length - 1];
   const level = straight.slice(0, -1);
@@ -77,7 +77,7 @@ export function buildGantry(parts: Parts, skeleton: Skeleton): void {
 
 /** Draws a drum on the tool's own axis if the joint rotates about it; else an arm next to the tool. */
 function buildRotaryAxis(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, head: number): void {
-  const { tip, gauge_mm: g } = skeleton;
+  const { tip, partSize_mm: g } = skeleton;
   const offset = axis.origin.z - tip.z;
   const above = (z: number, sideOffset = 0) => tip.clone().addScaledVector(Z, z).addScaledVector(axis.along, sideOffset);
   if (isVertical(axis)) {

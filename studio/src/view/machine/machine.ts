@@ -15,7 +15,7 @@ import { travels } from "./travel";
 
 /** A robot at an instant. */
 export interface Instant {
-  places: LinkPoses;
+  linkPoses: LinkPoses;
   /** Active segment; -1: nothing moves. */
   segment: number;
   tip: number;
@@ -50,9 +50,9 @@ export class Machine {
     this.bodies = new Bodies(robot, bodyMaterials);
     this.standIn = createStandIn(robot, report, bodyMaterials);
     this.joints = robot.home;
-    const zero = robot.chain.places(new Float64Array(robot.scene.axes.length), 0);
-    const { gauge_mm } = createSkeleton(robot.scene, zero, travels(robot, report));
-    this.tool = new Tool(robot, bodyMaterials, gauge_mm, toolHasBodies(robot));
+    const zero = robot.chain.linkPoses(new Float64Array(robot.scene.axes.length), 0);
+    const { partSize_mm } = createSkeleton(robot.scene, zero, travels(robot, report));
+    this.tool = new Tool(robot, bodyMaterials, partSize_mm, toolHasBodies(robot));
     this.group.add(this.bodies.group, this.tool.group);
     if (this.standIn) this.group.add(this.standIn.group);
     this.group.matrixAutoUpdate = false;
@@ -63,20 +63,20 @@ export class Machine {
     const { robot } = this;
     const known = jog ?? robot.joints_at(t_s);
     this.joints = known ?? this.joints;
-    const places = robot.chain.places(this.joints, t_s);
+    const linkPoses = robot.chain.linkPoses(this.joints, t_s);
     const segment = robot.segments.at(t_s);
     this.tip = robot.tcp_at(t_s) ?? this.tip;
     const flags = jog === null && t_s < robot.segments.end_s ? robot.segments.flagsAt(t_s) : null;
     const drawn = known ? null : robot.segments.tip_mm(t_s);
-    const tip_mm = drawn ? new Vector3(...drawn).applyMatrix4(places.work) : this.tool.tip(places, this.tip);
+    const tip_mm = drawn ? new Vector3(...drawn).applyMatrix4(linkPoses.work) : this.tool.tip(linkPoses, this.tip);
     const processOn = flags !== null && (flags & Flag.processOn) !== 0;
-    return { places, segment, tip: this.tip, tip_mm, processOn, isApproximate: !known };
+    return { linkPoses, segment, tip: this.tip, tip_mm, processOn, isApproximate: !known };
   }
 
-  place({ places, tip, processOn }: Instant): void {
-    this.bodies.place(places, processOn);
-    this.standIn?.place(places);
-    this.tool.place(places, tip, processOn);
+  place({ linkPoses, tip, processOn }: Instant): void {
+    this.bodies.place(linkPoses, processOn);
+    this.standIn?.place(linkPoses);
+    this.tool.place(linkPoses, tip, processOn);
   }
 
   show(of: { machine: boolean; cell: boolean }): void {

@@ -13,18 +13,18 @@ import {
 import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js";
 import type { Point, Shape } from "../../run/scene";
 
-const ROUND = 32;
+const RADIAL_SEGMENTS = 32;
 
 /** Returns a cylinder along Z, as in the engine. */
 export const cylinder = (radius_mm: number, height_mm: number, top_mm = radius_mm): CylinderGeometry => {
-  const geometry = new CylinderGeometry(top_mm, radius_mm, height_mm, ROUND);
+  const geometry = new CylinderGeometry(top_mm, radius_mm, height_mm, RADIAL_SEGMENTS);
   geometry.rotateX(Math.PI / 2);
   return geometry;
 };
 
 function capsule(a: Vector3, b: Vector3, radius_mm: number): BufferGeometry {
   const way = b.clone().sub(a);
-  const geometry = new CapsuleGeometry(radius_mm, way.length(), 8, ROUND);
+  const geometry = new CapsuleGeometry(radius_mm, way.length(), 8, RADIAL_SEGMENTS);
   geometry.applyQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), way.normalize()));
   const middle = a.clone().add(b).multiplyScalar(0.5);
   return geometry.translate(middle.x, middle.y, middle.z);
@@ -43,7 +43,11 @@ function hull(points: Vector3[], margin_mm: number): BufferGeometry {
 function pointsGeometry(all: Point[], margin_mm: number): BufferGeometry {
   const points = all.map((point) => new Vector3(...point));
   if (points.length === 1) {
-    return new SphereGeometry(Math.max(margin_mm, 0.1), ROUND, ROUND / 2).translate(points[0].x, points[0].y, points[0].z);
+    return new SphereGeometry(Math.max(margin_mm, 0.1), RADIAL_SEGMENTS, RADIAL_SEGMENTS / 2).translate(
+      points[0].x,
+      points[0].y,
+      points[0].z,
+    );
   }
   if (points.length === 2) return capsule(points[0], points[1], Math.max(margin_mm, 0.1));
   return hull(points, margin_mm);

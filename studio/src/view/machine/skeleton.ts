@@ -21,9 +21,9 @@ export interface Skeleton {
   work: DrawnAxis[];
   /** Tool centre point, and the origin of the work. */
   tip: Vector3;
-  ground: Vector3;
+  workOrigin: Vector3;
   /** Typical round size of its parts, mm. */
-  gauge_mm: number;
+  partSize_mm: number;
 }
 
 const matrixPosition = (matrix: { elements: number[] }) => new Vector3().fromArray(matrix.elements, 12);
@@ -57,7 +57,7 @@ export function createSkeleton(scene: Scene, zero: LinkPoses, ways: Travel[]): S
     tool,
     work,
     tip: matrixPosition(zero.tool),
-    ground: matrixPosition(zero.work),
-    gauge_mm: Math.min(Math.max(0.035 * size_mm, 10), 90),
+    workOrigin: matrixPosition(zero.work),
+    partSize_mm: Math.min(Math.max(0.035 * size_mm, 10), 90),
   };
 }

@@ -26,7 +26,7 @@ export function createStandIn(robot: Robot, report: Report | null, bodyMaterials
   const known = linksWithBodies(scene);
   known.delete(0);
   if (2 * known.size >= scene.axes.length) return null;
-  const zero = chain.places(new Float64Array(scene.axes.length), 0);
+  const zero = chain.linkPoses(new Float64Array(scene.axes.length), 0);
   const parts = new Parts(zero, bodyMaterials);
   const skeleton = createSkeleton(scene, zero, travels(robot, report));
   const gantry = isGantry(skeleton);

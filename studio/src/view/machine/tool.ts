@@ -19,7 +19,7 @@ const holderDistance_mm = (robot: Robot): number => new Matrix4().fromArray(robo
 function shankSign(robot: Robot): number {
   const away = holderDistance_mm(robot);
   if (Math.abs(away) > 1) return Math.sign(away);
-  const home = robot.chain.places(new Float64Array(robot.scene.axes.length), 0);
+  const home = robot.chain.linkPoses(new Float64Array(robot.scene.axes.length), 0);
   return home.tool.elements[10] < -1e-6 ? -1 : 1;
 }
 
@@ -36,14 +36,14 @@ export class Tool {
     private readonly robot: Robot,
     bodyMaterials: BodyMaterials,
     /** Round size of the machine's parts. */
-    private readonly gauge_mm: number,
+    private readonly partSize_mm: number,
     hasBodies: boolean,
   ) {
     this.sign = shankSign(robot);
     const bodies = robot.scene.bodies ?? [];
     this.jets = robot.scene.process === "jet" && !bodies.some((body) => body.role === "jet");
     this.shank.visible = !hasBodies;
-    const radius = (hasBodies ? POINT_RADIUS_SHARE : SHANK_RADIUS_SHARE) * gauge_mm;
+    const radius = (hasBodies ? POINT_RADIUS_SHARE : SHANK_RADIUS_SHARE) * partSize_mm;
     this.radius_mm = radius;
     // Cone with its point at the bottom.
     this.point.geometry = new ConeGeometry(radius, 3 * radius, 24).rotateX(-Math.PI / 2).translate(0, 0, 1.5 * radius);
@@ -58,21 +58,21 @@ export class Tool {
   }
 
   /** Returns the position of a tool's TCP in the world. */
-  tip(places: LinkPoses, tip: number): Vector3 {
-    return new Vector3(...(this.robot.scene.tips_mm[tip] ?? [0, 0, 0])).applyMatrix4(places.tool);
+  tip(linkPoses: LinkPoses, tip: number): Vector3 {
+    return new Vector3(...(this.robot.scene.tcps_mm[tip] ?? [0, 0, 0])).applyMatrix4(linkPoses.tool);
   }
 
-  place(places: LinkPoses, tip: number, processOn: boolean): void {
-    const offset = new Vector3(...(this.robot.scene.tips_mm[tip] ?? [0, 0, 0]));
-    const columnBase = places.tool.clone().multiply(new Matrix4().makeTranslation(offset.x, offset.y, offset.z));
+  place(linkPoses: LinkPoses, tip: number, processOn: boolean): void {
+    const offset = new Vector3(...(this.robot.scene.tcps_mm[tip] ?? [0, 0, 0]));
+    const columnBase = linkPoses.tool.clone().multiply(new Matrix4().makeTranslation(offset.x, offset.y, offset.z));
     if (this.sign < 0) columnBase.multiply(new Matrix4().makeRotationX(Math.PI));
     this.point.matrix.copy(columnBase);
     const radius = this.radius_mm;
-    const beyond = Math.max(0, -this.sign * offset.z) + Math.max(1.6 * this.gauge_mm, Math.abs(holderDistance_mm(this.robot)));
+    const beyond = Math.max(0, -this.sign * offset.z) + Math.max(1.6 * this.partSize_mm, Math.abs(holderDistance_mm(this.robot)));
     this.shank.matrix.copy(columnBase).multiply(stretchMatrix(1, 3 * radius, beyond - 3 * radius));
     this.jet.visible = this.jets && processOn;
-    const width = Math.max(1, 0.02 * this.gauge_mm);
-    this.jet.matrix.copy(columnBase).multiply(stretchMatrix(width, 0, 0.8 * this.gauge_mm));
+    const width = Math.max(1, 0.02 * this.partSize_mm);
+    this.jet.matrix.copy(columnBase).multiply(stretchMatrix(width, 0, 0.8 * this.partSize_mm));
   }
 
   dispose(): void {

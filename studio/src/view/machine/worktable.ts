@@ -10,7 +10,7 @@ const Y = new Vector3(0, 1, 0);
 
 /** Draws the fixed table below the area that the tool reaches. */
 function buildFixedTable(parts: Parts, skeleton: Skeleton): void {
-  const { tip, gauge_mm: g } = skeleton;
+  const { tip, partSize_mm: g } = skeleton;
   const { low, high } = workArea(skeleton);
   const size = high.clone().sub(low);
   const middle = low.clone().add(high).multiplyScalar(0.5).add(tip);
@@ -19,9 +19,9 @@ function buildFixedTable(parts: Parts, skeleton: Skeleton): void {
 }
 
 function buildLinearTable(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, depth: number, radius: number): void {
-  const { ground, gauge_mm: g } = skeleton;
+  const { workOrigin, partSize_mm: g } = skeleton;
   if (isVertical(axis)) return;
-  const middle = ground.clone().setZ(ground.z - depth);
+  const middle = workOrigin.clone().setZ(workOrigin.z - depth);
   const across = new Vector3(0, 0, 1).cross(axis.along).normalize();
   parts.box(axis.joint + 1, middle, [2.4 * radius, 2.4 * radius, 0.6 * g], axis.along, across, "machine");
   const [from, to] = axis.travel.map((q) => q);
@@ -34,14 +34,14 @@ function buildLinearTable(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, dep
 }
 
 function buildRotaryAxis(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, radius: number): void {
-  const { ground, gauge_mm: g } = skeleton;
+  const { workOrigin, partSize_mm: g } = skeleton;
   if (isVertical(axis)) {
-    parts.drum(axis.joint + 1, ground.clone().setZ(ground.z - 0.5 * g), axis.along, radius, 0.9 * g, "machine");
+    parts.drum(axis.joint + 1, workOrigin.clone().setZ(workOrigin.z - 0.5 * g), axis.along, radius, 0.9 * g, "machine");
     return;
   }
   // A cradle beneath the table, held at both ends of its axis.
   const reach = radius + 1.2 * g;
-  const floor = ground.z - 1.4 * g;
+  const floor = workOrigin.z - 1.4 * g;
   const across = new Vector3(0, 0, 1).cross(axis.along).normalize();
   const under = new Vector3(axis.origin.x, axis.origin.y, floor);
   parts.box(axis.joint + 1, under, [2 * reach, radius, 0.7 * g], axis.along, across, "machine");
@@ -55,7 +55,7 @@ function buildRotaryAxis(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, radi
 }
 
 export function buildTable(parts: Parts, skeleton: Skeleton): void {
-  const { work, gauge_mm: g } = skeleton;
+  const { work, partSize_mm: g } = skeleton;
   if (work.length === 0) return buildFixedTable(parts, skeleton);
   const { low, high } = workArea(skeleton);
   const size = high.sub(low);

@@ -6,7 +6,7 @@ import type { CameraRig } from "../camera";
 import type { PathData } from "../path/path_data";
 import type { Palette } from "../theme";
 
-const SPACE_PX = 80;
+const ARROW_SPACING_PX = 80;
 const LENGTH_PX = 9;
 const MAX_ATTEMPTS = 3000;
 const MAX_ARROWS = 250;
@@ -91,7 +91,7 @@ export class Directions {
     const taken = new Set<number>();
     all.forEach((data, i) => {
       const corners: number[] = [];
-      if (data.count > 1) this.layOne(data, frames[i], rig, screen, rapids, taken, corners);
+      if (data.count > 1) this.placeArrows(data, frames[i], rig, screen, rapids, taken, corners);
       const { geometry } = this.meshes[i];
       geometry.dispose();
       this.meshes[i].geometry = new BufferGeometry();
@@ -99,7 +99,7 @@ export class Directions {
     });
   }
 
-  private layOne(
+  private placeArrows(
     data: PathData,
     frame: Matrix4,
     rig: CameraRig,
@@ -112,7 +112,7 @@ export class Directions {
     const ways = known?.[0] === data.count ? known[1] : new PathDistances(data);
     this.ways.set(data, [data.count, ways]);
     const { total } = ways;
-    const space = Math.max(SPACE_PX * rig.mmPerPixel, total / MAX_ATTEMPTS);
+    const space = Math.max(ARROW_SPACING_PX * rig.mmPerPixel, total / MAX_ATTEMPTS);
     const [a, b, world] = [new Vector3(), new Vector3(), new Vector3()];
     const { back } = rig.basis();
     for (let way = space / 2; way < total && taken.size < MAX_ARROWS; way += space) {

@@ -34,7 +34,7 @@ export class Zones {
     robots.forEach((robot, i) => {
       const { axis_space, zones, axes } = robot.scene;
       if (!axis_space) return;
-      const work = robot.chain.places(new Float64Array(axes.length), 0).work;
+      const work = robot.chain.linkPoses(new Float64Array(axes.length), 0).work;
       const frame = work.multiply(matrixOf(axis_space));
       for (const zone of zones) if (zone.on) this.add(zone, robot, reach(i), frame);
     });

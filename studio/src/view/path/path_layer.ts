@@ -5,17 +5,17 @@
 import type { Matrix4 } from "three";
 import { areSameColours, type LegendKey } from "./path_colours";
 import type { PathData } from "./path_data";
-import { Program } from "./program";
+import { Program } from "./shader_program";
 import * as shaders from "./shaders";
 import { PathStrip, type DrawCall } from "./path_strip";
-import { Target } from "./target";
-import { Timer } from "./timer";
+import { Target } from "./render_target";
+import { Timer } from "./draw_timer";
 
 /** Robot number for drawing the previous run, for comparison. */
 export const PREVIOUS_RUN = 31;
 
 /** Look of the paths in a frame. */
-export interface Look {
+export interface FrameAppearance {
   /** Transformation from each robot's work frame to the clip space. */
   matrices: Matrix4[];
   width_px: number;
@@ -50,18 +50,18 @@ export interface Hit {
 }
 
 // Parts that even software draws within a frame or so; beyond MAX_WIDE_SEGMENTS lines have no width.
-const QUICK_SEGMENTS = 40_000;
+const MAX_DIRECT_SEGMENTS = 40_000;
 const MAX_WIDE_SEGMENTS = 300_000;
 const MOVING_SEGMENTS = 60_000;
 const SEGMENTS_PER_SLICE = 200_000;
 const MAX_HIGHLIGHT_SEGMENTS = 100_000;
 // A step that is shorter shows no corner between its ends.
 const MIN_STEP_PX = 1;
-const SLOW_MS = 40;
+const SLOW_DRAW_MS = 40;
 // Time without motion after which the camera is at standstill.
 const IDLE_MS = 120;
 
-export type More = "nothing" | "now" | "at rest";
+export type RemainingDrawing = "nothing" | "now" | "at rest";
 
 export class PathLayer {
   private pathStrips: PathStrip[] = [];
@@ -146,11 +146,11 @@ export class PathLayer {
   }
 
   private get slow(): boolean {
-    return this.planned > QUICK_SEGMENTS && (this.timer.cost_ms ?? Infinity) > SLOW_MS;
+    return this.planned > MAX_DIRECT_SEGMENTS && (this.timer.cost_ms ?? Infinity) > SLOW_DRAW_MS;
   }
 
   /** Updates the kept picture; returns if more is to be drawn. */
-  prepare(look: Look, time_ms: number): More {
+  prepare(look: FrameAppearance, time_ms: number): RemainingDrawing {
     const { width_px, height_px, rapids, compare } = look;
     const matrices = look.matrices.map((matrix) => matrix.elements.join());
     const requested = [width_px, height_px, rapids, compare, look.compareColour, ...matrices].join();
@@ -166,14 +166,14 @@ export class PathLayer {
     return isSettled ? "now" : "at rest";
   }
 
-  private createDrawPlan(look: Look): void {
+  private createDrawPlan(look: FrameAppearance): void {
     const { width_px, height_px } = look;
     const displayed = this.pathStrips.filter(({ robot }) => robot !== PREVIOUS_RUN || look.compare);
     this.plan = displayed.flatMap((pathStrip) => pathStrip.plan(look.matrices[pathStrip.frame], width_px, height_px));
     this.planned = this.plan.reduce((sum, { from, to, stride }) => sum + (to - from) / stride, 0);
   }
 
-  private update(look: Look, requested: string, isSettled: boolean): void {
+  private update(look: FrameAppearance, requested: string, isSettled: boolean): void {
     const { width_px, height_px } = look;
     if (this.full?.width !== width_px || this.full.height !== height_px) this.resize(width_px, height_px);
     this.setState();
@@ -192,7 +192,7 @@ export class PathLayer {
   }
 
   // Draws in slices, so that the page stays responsive.
-  private refine(look: Look, requested: string, isWide: boolean): void {
+  private refine(look: FrameAppearance, requested: string, isWide: boolean): void {
     if (this.slice === 0) this.full!.begin();
     else this.full!.go();
     this.timer.begin();
@@ -233,7 +233,7 @@ export class PathLayer {
   }
 
   /** Draws parts of the plan from number `from` to before `to`; only each `coarser`-th of those. */
-  private paint(look: Look, from: number, to: number, coarser: number, wide: boolean): void {
+  private paint(look: FrameAppearance, from: number, to: number, coarser: number, wide: boolean): void {
     const { gl } = this;
     const program = wide ? this.storedWide : this.storedThin;
     program.use();
@@ -255,7 +255,7 @@ export class PathLayer {
     }
   }
 
-  private setSize(program: Program, look: Look, width_px: number): void {
+  private setSize(program: Program, look: FrameAppearance, width_px: number): void {
     this.gl.uniform2f(program.place("size_px"), look.width_px, look.height_px);
     program.set1f("width_px", width_px);
     program.set1f("opacity", 1);
@@ -264,7 +264,7 @@ export class PathLayer {
   }
 
   /** Draws the kept picture to the screen, except where nearer bodies hide it. */
-  compose(look: Look): void {
+  compose(look: FrameAppearance): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, look.width_px, look.height_px);
@@ -288,7 +288,7 @@ export class PathLayer {
   }
 
   /** Draws ranges over all else; parts hidden by nearer bodies are faint. */
-  accent(accent: HighlightedRanges, look: Look): void {
+  drawHighlight(accent: HighlightedRanges, look: FrameAppearance): void {
     const { gl } = this;
     const pathStrip = this.pathStrips.find(({ robot }) => robot === accent.robot);
     if (!pathStrip || accent.ranges.length === 0) return;

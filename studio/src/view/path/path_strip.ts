@@ -3,8 +3,8 @@
 import type { Matrix4 } from "three";
 import type { LegendKey } from "./path_colours";
 import type { PathData } from "./path_data";
-import { MAX_STRIDE, rowStrides } from "./plan";
-import type { Program } from "./program";
+import { MAX_STRIDE, rowStrides } from "./draw_plan";
+import type { Program } from "./shader_program";
 import { SEGMENTS_PER_TEXTURE, PathTexture } from "./path_texture";
 
 /** Parts that end at vertices from one to before another, each `stride`-th of them. */

@@ -1,9 +1,9 @@
 // Part of a path in the graphics card: a texture of vertices and one of colours, and the path lengths of its
 // rows.
 
+import { rowLength, type Row } from "./draw_plan";
 import { colourTexels, type LegendKey } from "./path_colours";
 import { ROW, rowCount, type PathData } from "./path_data";
-import { rowLength, type Row } from "./plan";
 
 /** Number of path parts; the texture has one vertex more, at which the first part begins. */
 export const SEGMENTS_PER_TEXTURE = 16 * ROW - 1;

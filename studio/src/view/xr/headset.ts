@@ -1,6 +1,6 @@
 // Headset that shows the cell: from entry to end nothing else draws, and afterwards everything is as before.
 
-import type { Frames } from "../../core/frames";
+import type { AnimationFrames } from "../../core/animation_frames";
 import type { Store } from "../../core/store";
 import type { View } from "../view";
 import { FloorPose, type HeadPose } from "./floor_pose";
@@ -28,17 +28,17 @@ function readHeadPose({ transform: { position, orientation } }: XRViewerPose): H
 export class XrSession {
   private readonly place = new FloorPose();
   private readonly sticks = new Sticks();
-  private readonly room: XrScene;
+  private readonly xrScene: XrScene;
   private stands = false;
   private before_ms: number | null = null;
 
   constructor(
     private readonly view: View,
     store: Store,
-    private readonly frames: Frames,
+    private readonly frames: AnimationFrames,
     private readonly session: XRSession,
   ) {
-    this.room = new XrScene(view);
+    this.xrScene = new XrScene(view);
     session.addEventListener("select", () => store.set("playing", !store.get("playing") && store.get("run") !== null));
     session.addEventListener("squeeze", () => (this.stands = false));
   }
@@ -52,11 +52,11 @@ export class XrSession {
     this.before_ms = now_ms;
     if (!pose) return; // not worn, or its pose is unknown
     this.go(readHeadPose(pose), elapsed_s);
-    this.room.draw(this.place, this.view.arrange());
+    this.xrScene.draw(this.place, this.view.arrange());
   }
 
   private go(head: HeadPose, elapsed_s: number): void {
-    if (!this.stands) this.place.placeHead(head, this.room.entry);
+    if (!this.stands) this.place.placeHead(head, this.xrScene.entry);
     this.stands = true;
     const { right, on, turns } = this.sticks.ask([...this.session.inputSources].filter(isThumbstick).map(readStick));
     const distance_m = SPEED_M_S * elapsed_s;
@@ -65,7 +65,7 @@ export class XrSession {
   }
 
   end(): void {
-    this.room.dispose();
+    this.xrScene.dispose();
     this.frames.release();
   }
 }
@@ -76,7 +76,7 @@ export class Headset {
   constructor(
     private readonly view: View,
     private readonly store: Store,
-    private readonly frames: Frames,
+    private readonly frames: AnimationFrames,
     private readonly system: XRSystem,
     /** Called when it starts or ends showing the cell. */
     private readonly changed: () => void,
@@ -91,7 +91,7 @@ export class Headset {
     const { xr } = this.view.canvas.renderer;
     const session = await this.system.requestSession("immersive-vr", { requiredFeatures: ["local-floor"] });
     this.session = session;
-    this.view.lend();
+    this.view.lendRenderer();
     const visit = new XrSession(this.view, this.store, this.frames, session);
     const ended = () => {
       xr.removeEventListener("sessionend", ended);
@@ -106,9 +106,9 @@ export class Headset {
     this.changed();
     try {
       await xr.setSession(session);
-    } catch (fault) {
+    } catch (error) {
       await this.leave();
-      throw fault;
+      throw error;
     }
   }
 
@@ -123,7 +123,7 @@ export class Headset {
     renderer.xr.enabled = false;
     // Otherwise three.js continues to request pictures of the window.
     renderer.setAnimationLoop(null);
-    this.view.takeBack();
+    this.view.reclaimRenderer();
     this.changed();
   }
 }

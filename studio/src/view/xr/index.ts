@@ -10,8 +10,8 @@ const words = texts.view.headset;
 
 export const createHeadset: CreateHeadset = async ({ view, store, frames, toolbar }) => {
   const system = navigator.xr;
-  const isThere = await system?.isSessionSupported("immersive-vr").catch(() => false);
-  if (!system || !isThere) return;
+  const isSupported = await system?.isSessionSupported("immersive-vr").catch(() => false);
+  if (!system || !isSupported) return;
   const button = element("button", { type: "button" }, icon("headset"));
   const worn = element("p", { class: "worn", role: "status" }, words.worn);
   const show = () => {
@@ -24,7 +24,7 @@ export const createHeadset: CreateHeadset = async ({ view, store, frames, toolba
   const enter = async () => {
     store.set("notice", "");
     button.disabled = true;
-    await headset.enter().catch((fault: Error) => store.set("notice", words.refused(fault.message)));
+    await headset.enter().catch((error: Error) => store.set("notice", words.refused(error.message)));
     button.disabled = false;
   };
   button.onclick = () => void (headset.isActive ? headset.leave() : enter());

@@ -3,7 +3,7 @@
 // dashed by length.
 
 import { BufferGeometry, DoubleSide, ExternalTexture, GLSL3, Group, Mesh, RawShaderMaterial, Vector2, type Matrix4, type PerspectiveCamera } from "three";
-import { PREVIOUS_RUN, type Look, type PathLayer } from "../path/path_layer";
+import { PREVIOUS_RUN, type FrameAppearance, type PathLayer } from "../path/path_layer";
 import { eyeShaders } from "../path/shaders";
 import type { PathTexture } from "../path/path_texture";
 import type { PathStrip } from "../path/path_strip";
@@ -16,7 +16,7 @@ const MAX_SEGMENTS = 100_000;
 const DASH_COUNT = 60;
 
 /** Path of one `PathTexture`. */
-class Way {
+class PathMesh {
   readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
 
   constructor(
@@ -53,7 +53,7 @@ class Way {
     this.mesh.material.uniformsNeedUpdate = true;
   }
 
-  show(look: Look, works: Matrix4[]): void {
+  show(look: FrameAppearance, works: Matrix4[]): void {
     const { frame, robot } = this.pathStrip;
     const old = robot === PREVIOUS_RUN;
     const { uniforms } = this.mesh.material;
@@ -77,25 +77,25 @@ class Way {
 export class XrPaths {
   readonly group = new Group();
   private pathStrips: readonly PathStrip[] = [];
-  private ways: Way[] = [];
+  private pathMeshes: PathMesh[] = [];
 
-  show(layer: PathLayer, look: Look, works: Matrix4[]): void {
+  show(layer: PathLayer, look: FrameAppearance, works: Matrix4[]): void {
     if (this.pathStrips !== layer.visibleStrips) this.setContent(layer.visibleStrips);
-    for (const way of this.ways) way.show(look, works);
+    for (const pathMesh of this.pathMeshes) pathMesh.show(look, works);
   }
 
   private setContent(pathStrips: readonly PathStrip[]): void {
     this.dispose();
     this.pathStrips = pathStrips;
     const pieces = pathStrips.reduce((sum, { data }) => sum + data.count, 0);
-    this.ways = pathStrips.flatMap((pathStrip) => pathStrip.pathTextures.map((sheet) => new Way(pathStrip, sheet, pieces)));
-    for (const { mesh } of this.ways) this.group.add(mesh);
+    this.pathMeshes = pathStrips.flatMap((pathStrip) => pathStrip.pathTextures.map((sheet) => new PathMesh(pathStrip, sheet, pieces)));
+    for (const { mesh } of this.pathMeshes) this.group.add(mesh);
   }
 
   dispose(): void {
-    for (const way of this.ways) way.dispose();
+    for (const pathMesh of this.pathMeshes) pathMesh.dispose();
     this.group.clear();
-    this.ways = [];
+    this.pathMeshes = [];
     this.pathStrips = [];
   }
 }

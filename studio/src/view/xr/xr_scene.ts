@@ -2,7 +2,7 @@
 
 import { Box3, Color, Group, Matrix4, PerspectiveCamera, Scene, Vector3 } from "three";
 import { CameraRig } from "../camera";
-import type { Look } from "../path/path_layer";
+import type { FrameAppearance } from "../path/path_layer";
 import type { View } from "../view";
 import { createFloor } from "./floor";
 import type { FloorPose, FloorPosition } from "./floor_pose";
@@ -27,7 +27,7 @@ export class XrScene {
   readonly entry: FloorPosition;
   private readonly scene = new Scene();
   private readonly cell = new Group();
-  private readonly ways = new XrPaths();
+  private readonly xrPaths = new XrPaths();
   private readonly viewer = new Group();
   private readonly floor: ReturnType<typeof createFloor>;
   /** Lamp at the position of the view "corner". */
@@ -36,7 +36,7 @@ export class XrScene {
   private readonly background = new Color();
 
   constructor(private readonly view: View) {
-    const bodies = view.stage.wholeBox();
+    const bodies = view.stage.fullBox();
     this.cell.matrixAutoUpdate = false;
     this.cell.matrix.copy(toSceneMatrix(bodies.min.z));
     const box = new Box3().copy(bodies).applyMatrix4(this.cell.matrix);
@@ -45,14 +45,14 @@ export class XrScene {
     this.camera.far = box.getSize(new Vector3()).length() + FAR_MARGIN_M;
     this.floor = createFloor(view.stage.grid.boldLines.material);
     this.floor.position.set(Math.round(this.entry.x_m), 0, Math.round(box.getCenter(new Vector3()).z));
-    this.cell.add(this.ways.group);
+    this.cell.add(this.xrPaths.group);
     this.viewer.add(this.camera);
     this.scene.add(this.cell, this.floor, this.viewer);
     this.scene.background = this.background;
   }
 
   /** Draws both eyes; the page's scene is lent for it, and is unchanged afterwards. */
-  draw(place: FloorPose, look: Look): void {
+  draw(place: FloorPose, look: FrameAppearance): void {
     const { view, cell, viewer } = this;
     const { renderer } = view.canvas;
     const { scene } = view.stage;
@@ -60,7 +60,7 @@ export class XrScene {
     renderer.getClearColor(this.background);
     viewer.position.set(place.x_m, 0, place.z_m);
     viewer.rotation.y = place.turn;
-    this.ways.show(view.layer, look, frame?.instants.map(({ places }) => places.work) ?? []);
+    this.xrPaths.show(view.layer, look, frame?.instants.map(({ linkPoses }) => linkPoses.work) ?? []);
     // They are placed for the camera of the page.
     view.stage.directions.group.visible = false;
     view.stage.follow(this.lamp);
@@ -76,7 +76,7 @@ export class XrScene {
   }
 
   dispose(): void {
-    this.ways.dispose();
+    this.xrPaths.dispose();
     this.floor.geometry.dispose(); // it has the material of the grid
   }
 }

@@ -4,9 +4,9 @@ import type { Change } from "../../../core/history";
 import { referenceTo } from "../../../core/references";
 import type { Setup } from "../../../core/setup";
 import { texts } from "../../../texts";
+import { moved, copyName } from "./file_names";
 import type { Model, FileRole } from "./model";
-import { moved, copyName } from "./paths";
-import { requestToml, type At, type TomlChange } from "./toml";
+import { requestToml, type TomlPath, type TomlChange } from "./toml";
 
 const words = texts.machine;
 
@@ -14,7 +14,7 @@ const words = texts.machine;
 class RejectedRequest extends Error {}
 
 /** Place that names a file. */
-type Owner = { key: keyof Setup } | { part: FileRole; at: At };
+type Owner = { key: keyof Setup } | { part: FileRole; at: TomlPath };
 
 const MAX_ATTEMPTS = 3;
 
@@ -31,12 +31,12 @@ export class Edits {
    */
   change(part: FileRole, label: string, changes: TomlChange[], made = () => {}): Promise<string> {
     const file = this.model.file(part);
-    const change = async () => (this.isStill(part, file) ? this.changed(part, changes) : null);
+    const change = async () => (this.isStillUsed(part, file) ? this.changed(part, changes) : null);
     return this.queue(() => this.make(label, change, made));
   }
 
   /** True if a part still uses the given file, or the copy of that. */
-  private isStill(part: FileRole, file: string): boolean {
+  private isStillUsed(part: FileRole, file: string): boolean {
     const now = this.model.file(part);
     return now === file || now === this.copies.get(file);
   }
@@ -45,7 +45,7 @@ export class Edits {
   async own(part: FileRole): Promise<string> {
     const file = await this.untilSettled(part);
     if (file !== this.model.file(part)) return file;
-    const name = this.nameOfOwn(part);
+    const name = this.userFileName(part);
     if (name !== this.model.file(part)) await this.change(part, words.copied(name), []);
     return name;
   }
@@ -55,7 +55,7 @@ export class Edits {
     const file = this.model.file(part);
     return this.queue(async () => {
       await this.model.read();
-      return this.isStill(part, file) ? this.model.file(part) : (this.copies.get(file) ?? file);
+      return this.isStillUsed(part, file) ? this.model.file(part) : (this.copies.get(file) ?? file);
     });
   }
 
@@ -71,10 +71,10 @@ export class Edits {
     try {
       for (let i = 0; i < MAX_ATTEMPTS; ++i) {
         await this.model.read();
-        const before = this.textsNow();
+        const before = this.currentTexts();
         const requested = await change();
         // The user may have edited the text meanwhile.
-        if (before !== this.textsNow()) continue;
+        if (before !== this.currentTexts()) continue;
         if (!requested) return this.dropped(words.otherFile(label));
         made();
         history.edit(label, requested);
@@ -82,9 +82,9 @@ export class Edits {
         return "";
       }
       return this.dropped(words.changedMeanwhile);
-    } catch (fault) {
-      if (fault instanceof RejectedRequest) return fault.message;
-      throw fault;
+    } catch (error) {
+      if (error instanceof RejectedRequest) return error.message;
+      throw error;
     }
   }
 
@@ -95,26 +95,26 @@ export class Edits {
   }
 
   /** Returns the inputs of a change: the texts of the files, and their names. */
-  private textsNow(): string {
+  private currentTexts(): string {
     const { session, parts, store } = this.model;
     const { machine, cell, robots } = session.setup;
     const files = [...parts.values()].map(({ file }) => `${file}\n${session.documents.text(file)}`);
     return [machine, cell, robots, store.get("robot"), ...files].join("\n");
   }
 
-  private nameOfOwn(part: FileRole): string {
+  private userFileName(part: FileRole): string {
     const { documents } = this.model.session;
     const file = this.model.file(part);
-    return documents.isOwn(file) ? file : copyName(file, (name) => documents.exists(name));
+    return documents.isUserFile(file) ? file : copyName(file, (name) => documents.exists(name));
   }
 
   /** Returns the changes of all files that a change of one of them causes. */
   private async changed(part: FileRole, changes: TomlChange[]): Promise<Change> {
     const { model } = this;
     const file = model.file(part);
-    const name = this.nameOfOwn(part);
-    const { written, fault } = await requestToml(model.session, file, [...moved(model.value(part), file, name), ...changes]);
-    if (!written) throw new RejectedRequest(fault.text);
+    const name = this.userFileName(part);
+    const { written, error } = await requestToml(model.session, file, [...moved(model.value(part), file, name), ...changes]);
+    if (!written) throw new RejectedRequest(error.text);
     const named = name === file ? {} : await this.named(part, name);
     if (name !== file) this.copies.set(file, name);
     return { documents: { ...named.documents, [name]: written.text }, setup: named.setup ?? {} };
@@ -123,7 +123,7 @@ export class Edits {
   private async named(part: FileRole, name: string): Promise<Change> {
     const owner = this.ownerOf(part);
     if ("key" in owner) return { setup: { [owner.key]: name } };
-    const ownerFile = this.nameOfOwn(owner.part);
+    const ownerFile = this.userFileName(owner.part);
     return this.changed(owner.part, [{ op: "set", at: owner.at, value: referenceTo(ownerFile, name) }]);
   }
 

@@ -16,18 +16,18 @@ const DEFAULT_MODEL = "exact-stop";
 /** What a file is for. */
 export type FileRole = "machine" | "cell" | "controller" | "robots";
 
-export interface Loaded {
+export interface LoadedFile {
   file: string;
-  /** Null if it is not valid TOML: `fault` has the position. */
+  /** Null if it is not valid TOML: `error` has the position. */
   value: TomlTable | null;
-  fault: EngineDiagnostic | null;
+  error: EngineDiagnostic | null;
 }
 
 const PAUSE_MS = 20;
 
 export class Model {
   /** Loaded files; undefined if a part has no file. */
-  readonly parts = new Map<FileRole, Loaded>();
+  readonly parts = new Map<FileRole, LoadedFile>();
   /**
    * Controller table of the base model that the machine's controller, or its controller file, starts from.
    */
@@ -38,7 +38,7 @@ export class Model {
   private readonly updateTimer = new Debounced(() => void this.read());
   private readonly listeners = new Set<() => void>();
   /** Texts that have been read. */
-  private readonly known = new Map<string, { text: string; loaded: Loaded }>();
+  private readonly known = new Map<string, { text: string; loaded: LoadedFile }>();
 
   constructor(
     readonly store: Store,
@@ -70,10 +70,10 @@ export class Model {
 
   /** Number of the shown robot, among the robots of a file. */
   get robot(): number {
-    return this.shownOf(this.value("robots"));
+    return this.shownRobotIndex(this.value("robots"));
   }
 
-  private shownOf(robots: TomlTable): number {
+  private shownRobotIndex(robots: TomlTable): number {
     return Math.min(this.store.get("robot"), Math.max(tablesAt(robots, ["robot"]).length - 1, 0));
   }
 
@@ -90,17 +90,21 @@ export class Model {
 
   private async readAll(): Promise<void> {
     const asked = ++this.asked;
-    const parts = new Map<FileRole, Loaded>();
+    const parts = new Map<FileRole, LoadedFile>();
     const load = async (part: FileRole, file: string) => {
       if (file) parts.set(part, await this.load(file));
       return parts.get(part);
     };
     const { setup } = this.session;
     const robots = await load("robots", setup.robots);
-    const referenceOfRobot = (key: string) => (robots ? this.referred(robots, ["robot", this.shownOf(robots.value ?? {}), key]) : "");
+    const referenceOfRobot = (key: string) =>
+      robots ? this.resolveReference(robots, ["robot", this.shownRobotIndex(robots.value ?? {}), key]) : "";
     const cell = await load("cell", robots ? referenceOfRobot("cell") : setup.cell);
     const machineFile = robots ? referenceOfRobot("machine") : setup.machine;
-    const machine = await load("machine", machineFile || (cell ? this.referred(cell, ["cell", "machine"]) : "") || BUILT_IN_MACHINE);
+    const machine = await load(
+      "machine",
+      machineFile || (cell ? this.resolveReference(cell, ["cell", "machine"]) : "") || BUILT_IN_MACHINE,
+    );
     const model = textAt(machine?.value ?? {}, ["controller", "model"]);
     const controller = isTomlFile(model) ? await load("controller", resolved(machine!.file, model)) : undefined;
     const base = controller ? textAt(controller.value ?? {}, ["controller", "model"]) : model;
@@ -112,19 +116,19 @@ export class Model {
     for (const listener of this.listeners) listener();
   }
 
-  private referred({ file, value }: Loaded, at: (string | number)[]): string {
+  private resolveReference({ file, value }: LoadedFile, at: (string | number)[]): string {
     const reference = textAt(value ?? {}, at);
     return reference && resolved(file, reference);
   }
 
-  private async load(file: string): Promise<Loaded> {
+  private async load(file: string): Promise<LoadedFile> {
     // Settings of a controller are read as they are, and changed as text.
-    if (!isTomlFile(file)) return { file, value: null, fault: null };
+    if (!isTomlFile(file)) return { file, value: null, error: null };
     const text = this.session.documents.text(file);
     const known = this.known.get(file);
     if (known?.text === text) return known.loaded;
-    const { written, fault } = await requestToml(this.session, file, []);
-    const loaded = { file, value: written?.value ?? null, fault };
+    const { written, error } = await requestToml(this.session, file, []);
+    const loaded = { file, value: written?.value ?? null, error };
     this.known.set(file, { text, loaded });
     return loaded;
   }
@@ -132,12 +136,12 @@ export class Model {
 
 /** Results of the engine for the machine's files, and for the machine that they define. */
 export interface CheckResponse {
-  faults: EngineDiagnostic[];
+  errors: EngineDiagnostic[];
   check: Record<string, unknown> | null;
 }
 
 export async function checkMachine(session: Session, machine: string, cell: string, more: Record<string, string> = {}): Promise<CheckResponse> {
   const response = await session.sendRequest({ do: "machine", machine, cell }, more);
   const found = response.messages.find(({ is }) => is === "machine");
-  return { faults: responseDiagnostics(response), check: (found?.header.check as Record<string, unknown>) ?? null };
+  return { errors: responseDiagnostics(response), check: (found?.header.check as Record<string, unknown>) ?? null };
 }

@@ -11,13 +11,13 @@ export interface TomlTable {
 }
 
 /** Position of a value: keys of tables and numbers of elements, from 0. */
-export type At = (string | number)[];
+export type TomlPath = (string | number)[];
 
 export type TomlChange =
-  | { op: "set"; at: At; value: Toml }
-  | { op: "add"; at: At; value: Toml }
-  | { op: "remove"; at: At }
-  | { op: "move"; at: At; to: number };
+  | { op: "set"; at: TomlPath; value: Toml }
+  | { op: "add"; at: TomlPath; value: Toml }
+  | { op: "remove"; at: TomlPath }
+  | { op: "move"; at: TomlPath; to: number };
 
 export interface EditedToml {
   value: TomlTable;
@@ -25,7 +25,7 @@ export interface EditedToml {
 }
 
 /** Changed document, or the reason why it was not changed. */
-export type TomlResult = { written: EditedToml; fault: null } | { written: null; fault: EngineDiagnostic };
+export type TomlResult = { written: EditedToml; error: null } | { written: null; error: EngineDiagnostic };
 
 /** Reads or changes a file; `content` is its text if it is not a document yet. */
 export async function requestToml(session: Session, file: string, changes: TomlChange[], content?: FileContent): Promise<TomlResult> {
@@ -34,15 +34,15 @@ export async function requestToml(session: Session, file: string, changes: TomlC
   const response = await session.sendRequest({ do: "toml", file, changes }, files, new Map());
   const found = response.messages.find(({ is }) => is === "toml");
   if (!response.ok || !found) {
-    const [fault] = responseDiagnostics({ ...response, ok: false }).filter(({ severity }) => severity === "error");
-    return { written: null, fault };
+    const [error] = responseDiagnostics({ ...response, ok: false }).filter(({ severity }) => severity === "error");
+    return { written: null, error };
   }
   const text = new TextDecoder().decode(found.columns.get("text") as Uint8Array);
-  return { written: { value: found.header.value as TomlTable, text }, fault: null };
+  return { written: { value: found.header.value as TomlTable, text }, error: null };
 }
 
 /** Undefined: it is not there. */
-export function valueAt(root: Toml | undefined, at: At): Toml | undefined {
+export function valueAt(root: Toml | undefined, at: TomlPath): Toml | undefined {
   let value: Toml | undefined = root;
   for (const step of at) {
     if (value === null || typeof value !== "object") return undefined;
@@ -51,19 +51,19 @@ export function valueAt(root: Toml | undefined, at: At): Toml | undefined {
   return value;
 }
 
-export const tableAt = (root: Toml | undefined, at: At): TomlTable => {
+export const tableAt = (root: Toml | undefined, at: TomlPath): TomlTable => {
   const value = valueAt(root, at);
   return value !== null && typeof value === "object" && !Array.isArray(value) ? value : {};
 };
 
 /** Returns the tables of an array of tables. */
-export const tablesAt = (root: Toml | undefined, at: At): TomlTable[] => {
+export const tablesAt = (root: Toml | undefined, at: TomlPath): TomlTable[] => {
   const value = valueAt(root, at);
   if (!Array.isArray(value)) return [];
   return value.map((each) => (each !== null && typeof each === "object" && !Array.isArray(each) ? each : {}));
 };
 
-export const textAt = (root: Toml | undefined, at: At): string => {
+export const textAt = (root: Toml | undefined, at: TomlPath): string => {
   const value = valueAt(root, at);
   return typeof value === "string" ? value : "";
 };

@@ -1,7 +1,7 @@
 // One value of a file, to view and change. Typed text stays until it is passed on; the value of the file can
 // change at any time.
 
-import { element, offer } from "../../../core/dom";
+import { element, setOptions } from "../../../core/dom";
 import type { Store } from "../../../core/store";
 import { texts } from "../../../texts";
 import type { Toml } from "../file/toml";
@@ -34,7 +34,7 @@ export class Field {
   readonly element: HTMLElement;
   private readonly control: HTMLInputElement | HTMLSelectElement;
   private readonly unit = element("span", { class: "unit" });
-  private readonly fault: HTMLElement;
+  private readonly error: HTMLElement;
   private value: Toml | undefined;
   private fallback: Toml | undefined;
   private displayed = "";
@@ -45,13 +45,20 @@ export class Field {
     private readonly commit: Commit,
   ) {
     const id = `machine-field-${++count}`;
-    this.fault = element("p", { class: "key-fault", id: `${id}-fault`, role: "alert", hidden: true });
+    this.error = element("p", { class: "key-fault", id: `${id}-fault`, role: "alert", hidden: true });
     this.control = this.makeControl(id);
     const label = element("label", { for: id }, spec.label);
     const listedOptions = spec.kind === "text" && spec.choices ? [element("datalist", { id: `${id}-choices` }, ...spec.choices.map(([value]) => element("option", { value })))] : [];
     const meaning = spec.showsMeaning && spec.meaning ? [element("small", { id: `${id}-meaning` }, spec.meaning)] : [];
     const row = element("div", { class: "key-row" }, label, this.control, this.unit);
-    this.element = element("div", { class: spec.isNarrow ? "key-field narrow" : "key-field" }, row, ...listedOptions, ...meaning, this.fault);
+    this.element = element(
+      "div",
+      { class: spec.isNarrow ? "key-field narrow" : "key-field" },
+      row,
+      ...listedOptions,
+      ...meaning,
+      this.error,
+    );
     if (spec.meaning) row.title = spec.meaning;
   }
 
@@ -72,7 +79,7 @@ export class Field {
   }
 
   /** Sets the options of a choice. */
-  offer(choices: readonly (readonly [value: string, text: string])[]): void {
+  setOptions(choices: readonly (readonly [value: string, text: string])[]): void {
     this.spec = { ...this.spec, choices };
     this.draw();
   }
@@ -87,7 +94,7 @@ export class Field {
     this.unit.hidden = !this.unit.textContent;
     this.element.toggleAttribute("data-set", this.value !== undefined);
     if (this.control instanceof HTMLSelectElement) {
-      offer(this.control, this.options(), text);
+      setOptions(this.control, this.options(), text);
       return;
     }
     const fallback = this.textOf(this.fallback);
@@ -118,38 +125,38 @@ export class Field {
   }
 
   /** Returns the typed value for the file, or an error message if it is not valid. */
-  private written(): { value: Toml | undefined } | { fault: string } {
+  private written(): { value: Toml | undefined } | { error: string } {
     const { kind, unit = "", isRequired } = this.spec;
     const text = this.control.value.trim();
-    if (text === "") return isRequired ? { fault: words.needed } : { value: undefined };
+    if (text === "") return isRequired ? { error: words.needed } : { value: undefined };
     if (kind === "switch") return { value: text === "true" };
     const parts = text.split(",").map((each) => each.trim()).filter((each) => each !== "");
     if (kind === "list") return { value: parts };
     if (kind === "numbers") {
       const strange = parts.find((part) => parseNumber(part, unit, "mm") === null);
-      return strange === undefined ? { value: parts.map((part) => parseNumber(part, unit, "mm")) } : { fault: words.noNumber(strange) };
+      return strange === undefined ? { value: parts.map((part) => parseNumber(part, unit, "mm")) } : { error: words.noNumber(strange) };
     }
     if (kind === "text" || kind === "choice") return { value: text };
     const value = parseNumber(text, unit, this.store.get("units"));
-    if (value === null) return { fault: words.noNumber(text) };
-    const fault = typeof value === "number" ? this.faultOf(value) : "";
-    return fault ? { fault } : { value };
+    if (value === null) return { error: words.noNumber(text) };
+    const error = typeof value === "number" ? this.errorOf(value) : "";
+    return error ? { error } : { value };
   }
 
-  private faultOf(value: number): string {
-    const { least, above, most, below, or = [], whole, unit = "" } = this.spec;
+  private errorOf(value: number): string {
+    const { min, above, max, below, or = [], integer, unit = "" } = this.spec;
     const text = (limit: number) => numberText(limit, unit, this.store.get("units"));
     if (or.includes(value)) return "";
-    if (whole && !Number.isInteger(value)) return words.whole;
-    if (least !== undefined && value < least) return words.atLeast(text(least));
+    if (integer && !Number.isInteger(value)) return words.whole;
+    if (min !== undefined && value < min) return words.atLeast(text(min));
     if (above !== undefined && value <= above) return words.above(text(above));
-    if (most !== undefined && value > most) return words.atMost(text(most));
+    if (max !== undefined && value > max) return words.atMost(text(max));
     return below !== undefined && value >= below ? words.below(text(below)) : "";
   }
 
   private async submit(): Promise<void> {
     const written = this.written();
-    if ("fault" in written) return this.say(written.fault);
+    if ("error" in written) return this.say(written.error);
     this.say("");
     this.say(await this.commit(written.value));
   }
@@ -161,9 +168,9 @@ export class Field {
     this.say("");
   }
 
-  private say(fault: string): void {
-    this.fault.textContent = fault;
-    this.fault.hidden = !fault;
-    this.control.setAttribute("aria-invalid", String(fault !== ""));
+  private say(error: string): void {
+    this.error.textContent = error;
+    this.error.hidden = !error;
+    this.control.setAttribute("aria-invalid", String(error !== ""));
   }
 }

@@ -5,14 +5,14 @@ import type { Toml } from "../file/toml";
 
 /** Range of numbers that a key accepts. */
 export interface Range {
-  least?: number;
+  min?: number;
   /** Lower limit that is itself excluded. */
   above?: number;
-  most?: number;
+  max?: number;
   below?: number;
   /** Other values that it also accepts. */
   or?: (number | string)[];
-  whole?: boolean;
+  integer?: boolean;
 }
 
 export interface Key extends Range {

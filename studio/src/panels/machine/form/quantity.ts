@@ -10,12 +10,12 @@ const rounded = (value: number): number => Number(value.toPrecision(MAX_DIGITS))
 const isLength = (unit: string): boolean => unit.startsWith("mm");
 
 const powers: Record<string, string> = { s2: "s²", s3: "s³" };
-const signs: Record<string, string> = { deg: "°", percent: "%" };
+const unitSymbols: Record<string, string> = { deg: "°", percent: "%" };
 
 /** Returns the shown unit: "mm/s2" is "mm/s²" or "in/s²". */
 export function unitText(unit: string, units: Units): string {
   const [above, below] = unit.split("/");
-  const top = above === "mm" ? lengthUnit(units) : (signs[above] ?? above);
+  const top = above === "mm" ? lengthUnit(units) : (unitSymbols[above] ?? above);
   return below ? `${top}/${powers[below] ?? below}` : top;
 }
 

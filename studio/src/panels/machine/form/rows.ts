@@ -3,7 +3,7 @@
 import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
 import type { FileRole } from "../file/model";
-import type { At, Toml, TomlTable } from "../file/toml";
+import type { TomlPath, Toml, TomlTable } from "../file/toml";
 import type { Context } from "./context";
 import { Field, type FieldSpec } from "./field";
 import type { Key } from "./key_schema";
@@ -25,9 +25,9 @@ export const keyDefaults = (keys: Key[]): TomlTable =>
   Object.fromEntries(keys.flatMap(({ name, default: value }) => (value === undefined ? [] : [[name, value]])));
 
 /** Position of a table, and its name. */
-export interface Home {
+export interface TableLocation {
   part: FileRole;
-  at: At;
+  at: TomlPath;
   /** "X": part of the machine that it describes; empty: the complete machine. */
   owner: string;
 }
@@ -40,7 +40,7 @@ export class Rows {
   constructor(
     private readonly context: Context,
     specs: Record<string, FieldSpec>,
-    private readonly home: () => Home,
+    private readonly home: () => TableLocation,
     name = "rows",
   ) {
     this.element = element("div", { class: name });
@@ -70,17 +70,17 @@ export class Rows {
   }
 }
 
-const POSE = ["x_mm", "y_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"] as const;
+const POSE_KEYS = ["x_mm", "y_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"] as const;
 
 /** Creates the six numbers of a frame. */
-export function poseRows(context: Context, home: () => Home): Rows {
+export function poseRows(context: Context, home: () => TableLocation): Rows {
   const spec = (key: string): FieldSpec => ({
-    label: words.pose[key as (typeof POSE)[number]],
+    label: words.pose[key as (typeof POSE_KEYS)[number]],
     kind: "number",
     unit: key.endsWith("mm") ? "mm" : "deg",
     isNarrow: true,
   });
-  return new Rows(context, Object.fromEntries(POSE.map((key) => [key, spec(key)])), home, "rows pose");
+  return new Rows(context, Object.fromEntries(POSE_KEYS.map((key) => [key, spec(key)])), home, "rows pose");
 }
 
-export const POSE_ZERO: TomlTable = Object.fromEntries(POSE.map((key) => [key, 0]));
+export const ZERO_POSE: TomlTable = Object.fromEntries(POSE_KEYS.map((key) => [key, 0]));

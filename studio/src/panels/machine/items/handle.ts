@@ -49,7 +49,7 @@ export class Handle {
     const on = textAt(table, [attachKey(item.kind)]) || "world";
     const t_s = store.get("time_s");
     const joints = robot.joints_at(t_s);
-    const parent = joints && robot.chain.places(joints, t_s).frames[parseNumber(on === "jet" ? "tool" : on)];
+    const parent = joints && robot.chain.linkPoses(joints, t_s).frames[parseNumber(on === "jet" ? "tool" : on)];
     if (!parent) return null;
     return { parent, pose: poseMatrix(tableAt(table, ["frame"])), frame: parseNumber(item.name) };
   }

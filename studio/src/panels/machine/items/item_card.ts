@@ -1,16 +1,16 @@
 // One object, frame or body: its shape, its parent, and its pose there.
 
 import { element } from "../../../core/dom";
-import { baseName } from "../../../core/kinds";
+import { baseName } from "../../../core/file_kinds";
 import { referenceTo, resolved } from "../../../core/references";
 import { lengthNumber, lengthUnit } from "../../../core/units";
 import { texts } from "../../../texts";
 import type { FileRole } from "../file/model";
-import { tableAt, tablesAt, textAt, type At, type Toml, type TomlChange, type TomlTable } from "../file/toml";
+import { tableAt, tablesAt, textAt, type TomlPath, type Toml, type TomlChange, type TomlTable } from "../file/toml";
 import type { Card } from "../form/cards";
 import type { Context } from "../form/context";
 import { Field } from "../form/field";
-import { POSE_ZERO, Rows, poseRows, type Home } from "../form/rows";
+import { ZERO_POSE, Rows, poseRows, type TableLocation } from "../form/rows";
 import type { ItemSelection } from "./item_selection";
 import { isMesh, shapeKind, shapeDimensions, dimensionPath, shapeKinds, shapeSizes, convertShape, type ShapeKind } from "./shape";
 import { attachKey, freeItemName, removeChanges, renameChanges, type ItemKind } from "./tree";
@@ -31,7 +31,7 @@ export class ItemCard implements Card {
   private index = 0;
   private readonly title = element("summary", {});
   private readonly name: Field;
-  private readonly attached: Field;
+  private readonly parentField: Field;
   private readonly role: Rows;
   private readonly pose: Rows;
   private readonly shape: Field;
@@ -47,26 +47,26 @@ export class ItemCard implements Card {
     private readonly events: ItemEvents,
   ) {
     const { store } = context;
-    const home = (below: At = []) => (): Home => ({ part, at: [...this.at, ...below], owner: this.called });
+    const home = (below: TomlPath = []) => (): TableLocation => ({ part, at: [...this.at, ...below], owner: this.called });
     this.name = new Field(store, { label: words.name, kind: "text", isRequired: true }, (value) => this.rename(String(value)));
     const attach = { label: kind === "shape" ? words.on : words.attachedTo, kind: "choice" as const, isRequired: kind === "shape" };
-    this.attached = new Field(store, attach, (value) => this.put(attach.label, attachKey(kind), value));
+    this.parentField = new Field(store, attach, (value) => this.put(attach.label, attachKey(kind), value));
     const roles = (["fixture", "workpiece"] as const).map((each) => [each, words.roles[each]] as const);
     this.role = new Rows(context, kind === "object" ? { role: { label: words.role, kind: "choice", choices: roles, meaning: words.roleHint } } : {}, home());
     const kinds = shapeKinds.map((each) => [each, words.shapes[each]] as const);
     this.shape = new Field(store, { label: words.shape, kind: "choice", choices: kinds, isRequired: true }, (value) => this.changeShape(value as ShapeKind));
-    this.mesh = new Field(store, { label: words.file, kind: "choice", isRequired: true }, (value) => this.putMesh(String(value)));
+    this.mesh = new Field(store, { label: words.file, kind: "choice", isRequired: true }, (value) => this.setMesh(String(value)));
     this.meshRows = new Rows(context, { scale: { label: words.scale, kind: "number", above: 0, meaning: words.scaleHint } }, home(["shape"]));
     this.sizes = Object.fromEntries(shapeKinds.map((each) => [each, this.sizeFields(each)]));
     this.pose = poseRows(context, home(["frame"]));
     this.element = this.layOut();
-    this.element.addEventListener("toggle", () => this.toggled());
+    this.element.addEventListener("toggle", () => this.onToggle());
   }
 
   private sizeFields(kind: ShapeKind): Field[] {
     return shapeSizes(kind).parts.map((part, i) => {
       const label = words.sizes[part as keyof typeof words.sizes];
-      const spec = { label, kind: "number" as const, unit: "mm", above: 0, most: MAX_LENGTH_MM, isRequired: true, isNarrow: true };
+      const spec = { label, kind: "number" as const, unit: "mm", above: 0, max: MAX_LENGTH_MM, isRequired: true, isNarrow: true };
       return new Field(this.context.store, spec, (value) => this.edit(label, [{ op: "set", at: [...this.at, "shape", ...dimensionPath(kind, i)], value: value! }]));
     });
   }
@@ -81,11 +81,11 @@ export class ItemCard implements Card {
       button(words.duplicate, () => void this.duplicate()),
       button(words.remove, () => void this.remove()),
     );
-    const parts = [this.name.element, ...body, this.role.element, this.attached.element, this.pose.element, buttons];
+    const parts = [this.name.element, ...body, this.role.element, this.parentField.element, this.pose.element, buttons];
     return element("details", { class: "card" }, this.title, ...parts);
   }
 
-  private get at(): At {
+  private get at(): TomlPath {
     return [this.kind, this.index];
   }
 
@@ -109,9 +109,9 @@ export class ItemCard implements Card {
     this.title.replaceChildren(element("b", {}, this.called || words.nameless), ` ${this.about(shape, kind)}`);
     this.name.show(table.name);
     this.role.show(table, { role: "fixture" });
-    this.attached.offer(this.events.parents(index).map((name) => [name, words.places[name as keyof typeof words.places] ?? name]));
-    this.attached.show(table[attachKey(this.kind)], this.kind === "shape" ? undefined : "world");
-    this.pose.show(tableAt(table, ["frame"]), POSE_ZERO);
+    this.parentField.setOptions(this.events.parents(index).map((name) => [name, words.places[name as keyof typeof words.places] ?? name]));
+    this.parentField.show(table[attachKey(this.kind)], this.kind === "shape" ? undefined : "world");
+    this.pose.show(tableAt(table, ["frame"]), ZERO_POSE);
     if (this.kind !== "frame") this.drawShape(shape, kind);
     const isSelected = this.chosen.is(this.part, this.kind, this.called);
     if (this.element.open !== isSelected) this.open(isSelected);
@@ -138,8 +138,8 @@ export class ItemCard implements Card {
     this.mesh.element.hidden = this.meshRows.element.hidden = kind !== "mesh";
     if (kind !== "mesh") return;
     const { documents } = session;
-    const names = [...new Set([...documents.ownNames(), ...documents.samples.keys()])].filter(isMesh);
-    this.mesh.offer(names.map((name) => [name, baseName(name)]));
+    const names = [...new Set([...documents.userFileNames(), ...documents.samples.keys()])].filter(isMesh);
+    this.mesh.setOptions(names.map((name) => [name, baseName(name)]));
     this.mesh.show(resolved(model.file(this.part), textAt(shape, ["mesh"])));
     this.meshRows.show(shape, { scale: 1 });
   }
@@ -152,7 +152,7 @@ export class ItemCard implements Card {
     return kind ? `${words.shapes[kind]} ${numbers.join(" × ")} ${lengthUnit(units)}` : words.noShape;
   }
 
-  private toggled(): void {
+  private onToggle(): void {
     const isSelected = this.chosen.is(this.part, this.kind, this.called);
     if (this.element.open === isSelected) return;
     this.chosen.choose(this.element.open ? { part: this.part, kind: this.kind, name: this.called } : null);
@@ -180,14 +180,14 @@ export class ItemCard implements Card {
 
   private changeShape(kind: ShapeKind): Promise<string> {
     const { documents } = this.context.session;
-    const mesh = [...documents.ownNames(), ...documents.samples.keys()].find(isMesh);
+    const mesh = [...documents.userFileNames(), ...documents.samples.keys()].find(isMesh);
     if (kind === "mesh" && !mesh) return Promise.resolve(words.noMesh);
     const reference = mesh ? referenceTo(this.context.model.file(this.part), mesh) : "";
     const value = convertShape(kind, tableAt(this.table, ["shape"]), reference);
     return this.edit(words.shape, [{ op: "set", at: [...this.at, "shape"], value }]);
   }
 
-  private putMesh(name: string): Promise<string> {
+  private setMesh(name: string): Promise<string> {
     const value = referenceTo(this.context.model.file(this.part), name);
     return this.edit(words.file, [{ op: "set", at: [...this.at, "shape", "mesh"], value }]);
   }

@@ -1,7 +1,7 @@
 // Six numbers of a frame and its matrix: Rz(roll) Ry(pitch) Rx(yaw), as in machine files.
 
 import { Euler, MathUtils, Matrix4, Vector3 } from "three";
-import type { At, TomlChange, TomlTable } from "../file/toml";
+import type { TomlPath, TomlChange, TomlTable } from "../file/toml";
 
 const { degToRad, radToDeg } = MathUtils;
 
@@ -31,7 +31,7 @@ export function toPose(matrix: Matrix4, digits: number): TomlTable {
 }
 
 /** Returns the changes that turn one frame into another; unchanged numbers are left out. */
-export function poseChanges(at: At, before: TomlTable, after: TomlTable): TomlChange[] {
+export function poseChanges(at: TomlPath, before: TomlTable, after: TomlTable): TomlChange[] {
   return Object.entries(after).flatMap(([key, value]): TomlChange[] =>
     numberAt(before, key) === value ? [] : [{ op: "set", at: [...at, key], value }],
   );

@@ -2,7 +2,7 @@
 // the others.
 
 import { Matrix4 } from "three";
-import { tableAt, tablesAt, textAt, valueAt, type At, type TomlChange, type TomlTable } from "../file/toml";
+import { tableAt, tablesAt, textAt, valueAt, type TomlPath, type TomlChange, type TomlTable } from "../file/toml";
 import { poseChanges, poseMatrix, toPose } from "./pose";
 
 /** Tables of a cell or a machine that have a pose. */
@@ -14,7 +14,7 @@ export const attachKey = (kind: ItemKind): string => (kind === "shape" ? "on" : 
 const DIGITS = 6;
 
 interface AttachedItem {
-  at: At;
+  at: TomlPath;
   table: TomlTable;
 }
 
@@ -33,7 +33,7 @@ export function ignoredPairs(value: TomlTable): [string, string][] {
 }
 
 /** Returns the changes for a new name, also in references. */
-export function renameChanges(value: TomlTable, at: At, from: string, to: string): TomlChange[] {
+export function renameChanges(value: TomlTable, at: TomlPath, from: string, to: string): TomlChange[] {
   const attached = itemsAttachedTo(value, from).map(({ at: place }): TomlChange => ({ op: "set", at: [...place, "attached_to"], value: to }));
   const ignored = ignoredPairs(value).flatMap((pair, i) =>
     pair.flatMap((name, part): TomlChange[] => (name === from ? [{ op: "set", at: ["ignore", i, part], value: to }] : [])),

@@ -8,7 +8,7 @@ import type { Context, Section } from "../form/context";
 import { Field, type FieldSpec } from "../form/field";
 import type { Key } from "../form/key_schema";
 import { numberText, unitText } from "../form/quantity";
-import { POSE_ZERO, Rows, keyDefaults, poseRows, fieldSpec } from "../form/rows";
+import { ZERO_POSE, Rows, keyDefaults, poseRows, fieldSpec } from "../form/rows";
 
 const words = texts.machine.axes;
 const AXIS_LETTERS = [..."XYZABCUVW"];
@@ -111,7 +111,7 @@ class AxisCard implements Card {
     this.direction.element.hidden = this.frame.element.hidden = hasDh;
     this.dh.element.hidden = !hasDh;
     this.direction.show(axis);
-    this.frame.show(tableAt(axis, ["frame"]), POSE_ZERO);
+    this.frame.show(tableAt(axis, ["frame"]), ZERO_POSE);
     this.dh.show(tableAt(axis, ["dh"]), { theta_deg: 0, d_mm: 0, a_mm: 0, alpha_deg: 0 });
   }
 

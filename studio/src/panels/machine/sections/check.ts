@@ -69,9 +69,9 @@ export class CheckResult {
     this.element = element("div", {}, this.verdict, ...controls, this.list);
   }
 
-  show({ check, faults }: CheckResponse): void {
+  show({ check, errors }: CheckResponse): void {
     const found = check as unknown as MachineCheck | null;
-    const hasErrors = faults.some(({ severity }) => severity === "error");
+    const hasErrors = errors.some(({ severity }) => severity === "error");
     this.verdict.textContent = hasErrors || !found ? words.broken : found.clean ? words.clean : words.found;
     this.verdict.dataset.kind = found?.clean ? "good" : "bad";
     arrange(this.list, (found ? checkLines(found) : []).map(({ kind, text }) => element("li", { class: kind }, text)));

@@ -15,7 +15,7 @@ export class CheckRunner {
   readonly result = new CheckResult(this.button);
   private readonly updateTimer = new Debounced(() => void this.check());
   private asked = 0;
-  private took_ms = 0;
+  private duration_ms = 0;
   private checked = "";
 
   constructor(
@@ -30,15 +30,15 @@ export class CheckRunner {
 
   /** Called after the files have been read again. */
   refresh(): void {
-    const now = this.textsNow();
+    const now = this.currentTexts();
     if (now === this.checked) return;
     this.checked = now;
-    const isQuick = this.took_ms < MAX_AUTO_CHECK_MS;
+    const isQuick = this.duration_ms < MAX_AUTO_CHECK_MS;
     this.button.hidden = isQuick;
     if (isQuick) this.updateTimer.after(PAUSE_MS);
   }
 
-  private textsNow(): string {
+  private currentTexts(): string {
     const { model, session } = this.context;
     return [...model.parts].map(([part, { file }]) => `${part} ${file}\n${session.documents.text(file)}`).join("\n");
   }
@@ -47,10 +47,10 @@ export class CheckRunner {
     const { model, session } = this.context;
     const asked = ++this.asked;
     this.button.hidden = true;
-    const began_ms = performance.now();
+    const start_ms = performance.now();
     this.result.wait();
     const checked = await checkMachine(session, model.file("machine"), model.file("cell"));
-    this.took_ms = performance.now() - began_ms;
+    this.duration_ms = performance.now() - start_ms;
     if (asked !== this.asked) return;
     this.result.show(checked);
     this.told(checked);

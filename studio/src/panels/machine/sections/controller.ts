@@ -2,12 +2,12 @@
 // has it: the machine's, or that of the controller if the machine names one.
 
 import { element } from "../../../core/dom";
-import { baseName } from "../../../core/kinds";
+import { baseName } from "../../../core/file_kinds";
 import { controllerNames } from "../../../core/controller_override";
 import { isTomlFile, referenceTo, resolved } from "../../../core/references";
 import { texts } from "../../../texts";
 import type { FileRole } from "../file/model";
-import { tableAt, textAt, type At, type Toml } from "../file/toml";
+import { tableAt, textAt, type TomlPath, type Toml } from "../file/toml";
 import type { Context, Section } from "../form/context";
 import { Field } from "../form/field";
 import type { Key } from "../form/key_schema";
@@ -17,7 +17,7 @@ const words = texts.machine.controller;
 
 interface Row {
   key: Key;
-  at: At;
+  at: TomlPath;
   field: Field;
 }
 
@@ -50,7 +50,7 @@ class Controller implements Section {
     this.element = element("div", {}, this.model.element, only, list(main), ...more);
   }
 
-  private makeRow(key: Key, at: At): Row {
+  private makeRow(key: Key, at: TomlPath): Row {
     // Words of programs are shown under their own names.
     const keyLabel = { label: key.name };
     const spec = fieldSpec(key, at[0] === "stops" ? keyLabel : { showsMeaning: true });
@@ -58,7 +58,7 @@ class Controller implements Section {
   }
 
   /** Returns the file that sets a key. */
-  private findSetting(at: At): { part: FileRole; value: Toml | undefined } | null {
+  private findSetting(at: TomlPath): { part: FileRole; value: Toml | undefined } | null {
     for (const part of ["machine", "controller"] as const) {
       const table = tableAt(this.context.model.value(part), ["controller", ...at.slice(0, -1)]);
       const value = table[at[at.length - 1]];
@@ -72,7 +72,7 @@ class Controller implements Section {
     return this.context.model.parts.has("controller") ? "controller" : "machine";
   }
 
-  private put(label: string, at: At, value: Toml | undefined): Promise<string> {
+  private put(label: string, at: TomlPath, value: Toml | undefined): Promise<string> {
     const { edits } = this.context;
     const home = this.findSetting(at);
     if (value === undefined && !home) return Promise.resolve("");
@@ -95,7 +95,7 @@ class Controller implements Section {
   draw(): void {
     const { model } = this.context;
     const modelName = textAt(model.value("machine"), ["controller", "model"]);
-    this.model.offer(this.models());
+    this.model.setOptions(this.models());
     this.model.show(isTomlFile(modelName) ? resolved(model.file("machine"), modelName) : modelName || undefined, "exact-stop");
     const file = model.parts.get("controller")?.file;
     for (const { key, at, field } of this.rows) {

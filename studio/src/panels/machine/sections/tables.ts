@@ -5,8 +5,8 @@ import { texts } from "../../../texts";
 import { tableAt } from "../file/toml";
 import type { Context, Section } from "../form/context";
 import type { Key } from "../form/key_schema";
-import { WordRows } from "../form/words";
-import { POSE_ZERO, Rows, keyDefaults, poseRows, fieldSpec } from "../form/rows";
+import { WordRows } from "../form/word_rows";
+import { ZERO_POSE, Rows, keyDefaults, poseRows, fieldSpec } from "../form/rows";
 
 const words = texts.machine;
 
@@ -36,6 +36,6 @@ export function createFrame(context: Context, name: "base" | "tool" | "work"): S
   const rows = poseRows(context, () => ({ part: "machine", at: [name], owner: title }));
   return {
     element: element("div", {}, element("h4", {}, title), rows.element),
-    draw: () => rows.show(tableAt(context.model.value("machine"), [name]), POSE_ZERO),
+    draw: () => rows.show(tableAt(context.model.value("machine"), [name]), ZERO_POSE),
   };
 }

@@ -2,10 +2,10 @@
 // before it is used.
 
 import { Debounced } from "../../../core/debounced";
-import { arrange, choice, element, offer } from "../../../core/dom";
+import { arrange, choice, element, setOptions } from "../../../core/dom";
 import { texts } from "../../../texts";
 import type { CheckResponse } from "../file/model";
-import type { At } from "../file/toml";
+import type { TomlPath } from "../file/toml";
 import type { Context } from "../form/context";
 import { Field, type FieldSpec } from "../form/field";
 import { keyLabel, keyUnit } from "../form/quantity";
@@ -33,9 +33,9 @@ class Wizard {
   private readonly fields = element("div", { class: "wizard-fields" });
   private readonly file = element("b", {});
   private readonly text = element("pre", { tabindex: 0, "aria-label": words.text });
-  private readonly faults = new ErrorList(null);
+  private readonly errors = new ErrorList(null);
   private readonly check = new CheckResult();
-  private readonly accept = element("button", { type: "button", class: "primary", onclick: () => void this.taken() }, words.accept);
+  private readonly accept = element("button", { type: "button", class: "primary", onclick: () => void this.onAccept() }, words.accept);
   private readonly updateTimer = new Debounced(() => void this.make());
   private draft: MachineDraft;
   private made: NewMachineFile | null = null;
@@ -51,8 +51,25 @@ class Wizard {
       element("h2", {}, words.title),
       element("label", { class: "wizard-kind" }, words.kind, this.kind),
       this.about,
-      element("div", { class: "wizard-columns" }, this.fields, element("div", { class: "wizard-result" }, element("p", { class: "file" }, this.file), this.text, this.faults.element, this.check.element)),
-      element("div", { class: "buttons" }, this.accept, element("button", { type: "button", onclick: () => this.dialog.close() }, texts.bar.close)),
+      element(
+        "div",
+        { class: "wizard-columns" },
+        this.fields,
+        element(
+          "div",
+          { class: "wizard-result" },
+          element("p", { class: "file" }, this.file),
+          this.text,
+          this.errors.element,
+          this.check.element,
+        ),
+      ),
+      element(
+        "div",
+        { class: "buttons" },
+        this.accept,
+        element("button", { type: "button", onclick: () => this.dialog.close() }, texts.bar.close),
+      ),
     );
   }
 
@@ -93,28 +110,28 @@ class Wizard {
     const { draft } = this;
     const made = await draft.make();
     if (asked !== this.asked) return;
-    if (!("file" in made)) return this.showChecked({ faults: [made], check: null });
+    if (!("file" in made)) return this.showCheckResult({ errors: [made], check: null });
     this.made = made;
     this.file.textContent = made.file;
     this.text.textContent = made.text;
     const checked = await draft.check(made);
-    if (asked === this.asked) this.showChecked(checked);
+    if (asked === this.asked) this.showCheckResult(checked);
   }
 
-  private showChecked(checked: CheckResponse): void {
-    this.faults.show(checked.faults);
+  private showCheckResult(checked: CheckResponse): void {
+    this.errors.show(checked.errors);
     this.check.show(checked);
-    this.accept.disabled = checked.faults.some(({ severity }) => severity === "error");
+    this.accept.disabled = checked.errors.some(({ severity }) => severity === "error");
   }
 
-  private async taken(): Promise<void> {
+  private async onAccept(): Promise<void> {
     if (!this.made) return;
     const { file, text } = this.made;
     await this.context.edits.choose("machine", words.made(this.draft.name), file, text);
     this.dialog.close();
   }
 
-  private field(at: At, spec: FieldSpec): HTMLElement {
+  private field(at: TomlPath, spec: FieldSpec): HTMLElement {
     const { draft } = this;
     const field = new Field(this.context.store, spec, (value) => {
       draft.set(at, value);
@@ -167,7 +184,7 @@ class Wizard {
       this.draft.set(["controller", "model"], model);
       this.refresh();
     });
-    offer(select, names.map((name) => [name, name]), this.draft.model || "exact-stop");
+    setOptions(select, names.map((name) => [name, name]), this.draft.model || "exact-stop");
     return element("label", { class: "wizard-kind" }, texts.machine.controller.title, select);
   }
 

@@ -1,12 +1,12 @@
 // Draft of a new machine: a sample and the changes to it.
 
-import { baseName } from "../../../core/kinds";
+import { baseName } from "../../../core/file_kinds";
 import type { Session } from "../../../core/session";
 import type { EngineDiagnostic } from "../../../run/run";
 import { texts } from "../../../texts";
+import { freeName, moved } from "../file/file_names";
 import { checkMachine, type CheckResponse } from "../file/model";
-import { freeName, moved } from "../file/paths";
-import { requestToml, tableAt, tablesAt, valueAt, type At, type Toml, type TomlChange, type TomlTable } from "../file/toml";
+import { requestToml, tableAt, tablesAt, valueAt, type TomlPath, type Toml, type TomlChange, type TomlTable } from "../file/toml";
 import { machineKinds, type KindName } from "./kinds";
 
 const words = texts.machine.wizard;
@@ -41,13 +41,13 @@ export class MachineDraft {
     return tablesAt(this.sample, ["axis"]);
   }
 
-  get(at: At): Toml | undefined {
+  get(at: TomlPath): Toml | undefined {
     const key = JSON.stringify(at);
     return this.chosen.has(key) ? this.chosen.get(key) : valueAt(this.sample, at);
   }
 
   /** Sets a value. An axis with its home at an end of its travel keeps it there. */
-  set(at: At, value: Toml | undefined): void {
+  set(at: TomlPath, value: Toml | undefined): void {
     const [table, axis, key] = at;
     const unit = /^(?:min|max)_(mm|deg)$/.exec(String(key))?.[1];
     const home = [table, axis, `home_${unit}`];
@@ -64,7 +64,7 @@ export class MachineDraft {
 
   private changes(): TomlChange[] {
     const own = [...this.chosen].flatMap(([key, value]): TomlChange[] => {
-      const at = JSON.parse(key) as At;
+      const at = JSON.parse(key) as TomlPath;
       const before = valueAt(this.sample, at);
       if (value === before) return [];
       return [value === undefined ? { op: "remove", at } : { op: "set", at, value }];
@@ -83,8 +83,8 @@ export class MachineDraft {
   /** Returns the draft as a file, or an error if it cannot be made. */
   async make(): Promise<NewMachineFile | EngineDiagnostic> {
     const { sample } = machineKinds[this.kind];
-    const { written, fault } = await requestToml(this.session, sample, this.changes());
-    if (!written) return fault;
+    const { written, error } = await requestToml(this.session, sample, this.changes());
+    if (!written) return error;
     const remark = `# ${words.remark(this.name.replaceAll(/\s+/g, " "), baseName(sample))}`;
     return { file: this.file, text: `${remark}\n\n${written.text}` };
   }

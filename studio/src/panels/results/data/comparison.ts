@@ -3,7 +3,7 @@
 import type { Robot, Run } from "../../../run/run";
 import { cachedBlockTable } from "./block_table";
 import { matchLines } from "./diff";
-import { greatest } from "./greatest";
+import { largestIndices } from "./largest_indices";
 import { linesOf } from "./source_lines";
 
 export type Change = "same" | "changed" | "new" | "gone";
@@ -98,7 +98,7 @@ export function compare(beforeRun: Run, afterRun: Run, robot: number, most: numb
     }),
   );
   const count = all.lines.length;
-  const { indices } = greatest(count, most, (i) => all.absDifference_s(i), () => true);
+  const { indices } = largestIndices(count, most, (i) => all.absDifference_s(i), () => true);
   const rows = Array.from(indices, (i): Row => {
     const gone = all.changes[i] === "gone";
     const file = (gone ? before : after).files[all.files[i]];

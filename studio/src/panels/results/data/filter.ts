@@ -1,6 +1,6 @@
 // Filters blocks by the text that a user has typed.
 
-import { limitText } from "../../../core/names";
+import { limitText } from "../../../core/display_names";
 import { DWELL, toNamedLimit } from "../../../run/limits";
 import type { Robot, Run } from "../../../run/run";
 import { limitKinds, moveKinds } from "../../../run/kinds";
@@ -33,7 +33,7 @@ export function createFilter(words: string, run: Run, robot: Robot, table: Block
 }
 
 const matchingLines = (words: string, run: Run, robot: Robot): Uint8Array[] =>
-  robot.files.map((file) => linesOf(run.sources, file).matching(words));
+  robot.files.map((file) => linesOf(run.sources, file).linesWith(words));
 
 /** Returns matches: first the dwell, then each limit for no axis and for each axis. */
 function limitMatches(queryText: string, robot: Robot): boolean[] {

@@ -7,7 +7,7 @@ import { linesOf, type SourceLines } from "./source_lines";
 const MAX_COMMENTS = 3;
 // Line that begins a program or subprogram, and line with nothing but a comment; the first may also contain a
 // name.
-const PROGRAM = /^\s*(?:[o:](?:\d+|<[^>]*>))\s*(?:sub|endsub)?\s*(?:\(.*)?$/i;
+const PROGRAM_LINE = /^\s*(?:[o:](?:\d+|<[^>]*>))\s*(?:sub|endsub)?\s*(?:\(.*)?$/i;
 const COMMENT_LINE = /^\s*(?:[o:](?:\d+|<[^>]*>)\s*(?:sub)?\s*)?(?:N\d+\s*)?(?:\(([^)]*)\)|;(.*))\s*$/i;
 
 /** Returns the operation of each line of a source, as an index into `names`; 0: that of its caller. */
@@ -17,10 +17,10 @@ function lineOperations(lines: SourceLines, names: string[]): Uint32Array {
   let current = 0;
   for (let number = 1; number <= lines.count; ++number) {
     operation[number] = current;
-    const first = lines.firstOf(number);
+    const first = lines.firstCharacter(number);
     if (first === "") continue;
     const line = "(;oO:nN".includes(first) ? lines.line(number) : "";
-    if (PROGRAM.test(line)) {
+    if (PROGRAM_LINE.test(line)) {
       current = 0;
       comments = [];
     }

@@ -21,14 +21,14 @@ export class SourceLines {
   }
 
   /** Returns the first character of a line that is not a blank; empty: none. */
-  firstOf(number: number): string {
+  firstCharacter(number: number): string {
     let at = this.starts[number - 1];
     while (" \t\r".includes(this.text[at] ?? "\n")) ++at;
     return this.text[at] === "\n" ? "" : (this.text[at] ?? "");
   }
 
   /** Returns 1 for each line number with the words, in upper or lower case. */
-  matching(words: string): Uint8Array {
+  linesWith(words: string): Uint8Array {
     const found = new Uint8Array(this.count + 1);
     const text = this.text.toLowerCase();
     let line = 1;

@@ -3,11 +3,11 @@
 import { element } from "../../../core/dom";
 import { goTo } from "../../../core/navigation";
 import type { Store } from "../../../core/store";
-import type { Located } from "../../../run/report";
+import type { LocatedEntry } from "../../../run/report";
 import { texts } from "../../../texts";
-import { beginRows, makeRows } from "../rows";
+import { initializeTabStops, makeRows } from "../rows";
 
-export interface AxisRow extends Located {
+export interface AxisRow extends LocatedEntry {
   axis: string;
   t_s: number;
   cells: (Node | string)[];
@@ -24,7 +24,7 @@ export function axisTable(heads: readonly string[], rows: readonly AxisRow[], st
     body.children[row].setAttribute("aria-selected", "true");
     goTo(store, rows[row], rows[row].t_s);
   });
-  beginRows(body);
+  initializeTabStops(body);
   return element("table", { class: "travel drives" }, element("thead", {}, head), body);
 }
 

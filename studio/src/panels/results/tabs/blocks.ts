@@ -4,7 +4,7 @@ import { kindColours } from "../../../core/colours";
 import { Debounced } from "../../../core/debounced";
 import { element } from "../../../core/dom";
 import { goToBlock } from "../../../core/navigation";
-import { limitText } from "../../../core/names";
+import { limitText } from "../../../core/display_names";
 import type { Store } from "../../../core/store";
 import { countText, feedText, lengthShort, percentText, programmedFeedText, timeText } from "../../../core/units";
 import { moveKinds } from "../../../run/kinds";
@@ -12,13 +12,13 @@ import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
 import { cachedBlockTable, type BlockTable } from "../data/block_table";
 import { createFilter } from "../data/filter";
-import { greatest } from "../data/greatest";
-import { limitColour, limitHint, blockLimit } from "../data/limit_words";
+import { largestIndices } from "../data/largest_indices";
+import { limitColour, limitHint, blockLimit } from "../data/limit_texts";
 import { linesOf } from "../data/source_lines";
-import { beginRows, makeRows } from "../rows";
+import { initializeTabStops, makeRows } from "../rows";
 
 const words = texts.panels;
-const FIRST_ROWS = 200;
+const INITIAL_ROWS = 200;
 const TYPING_PAUSE_MS = 150;
 
 const columns = ["line", "duration", "share", "limit", "kind", "length", "speed", "feed"] as const;
@@ -50,7 +50,7 @@ export class BlocksTab implements Tab {
     placeholder: words.filter,
     "aria-label": words.filter,
     title: words.filterHint,
-    oninput: () => this.typing.after(TYPING_PAUSE_MS),
+    oninput: () => this.filterTimer.after(TYPING_PAUSE_MS),
   });
   private readonly heads = columns.map((column) =>
     element("button", { onclick: () => this.sortBy(column) }, words.blockColumns[column]),
@@ -58,28 +58,28 @@ export class BlocksTab implements Tab {
   private readonly cells = this.heads.map((head) => element("th", { scope: "col", "aria-sort": "none" }, head));
   private readonly body = element("tbody");
   private readonly count = element("p", { class: "note", role: "status" });
-  private readonly partial = element("p", { class: "note", hidden: true }, words.onlyFirst);
+  private readonly partialNote = element("p", { class: "note", hidden: true }, words.onlyFirst);
   private readonly more = element("button", { class: "more", onclick: () => this.showMore() });
   private column: Column = "duration";
   private descending = true;
-  private most = FIRST_ROWS;
+  private most = INITIAL_ROWS;
   private displayed: ArrayLike<number> = [];
   private context: Context | null = null;
-  private readonly typing = new Debounced(() => this.filter(this.search.value));
+  private readonly filterTimer = new Debounced(() => this.filter(this.search.value));
   readonly element: HTMLElement;
 
   constructor(private readonly store: Store) {
     const head = element("thead", {}, element("tr", {}, ...this.cells));
     const caption = element("caption", { class: "unseen" }, words.blockCaption);
     const table = element("table", { class: "blocks" }, caption, head, this.body);
-    this.element = element("div", {}, this.search, this.partial, this.count, element("div", { class: "wide" }, table), this.more);
+    this.element = element("div", {}, this.search, this.partialNote, this.count, element("div", { class: "wide" }, table), this.more);
     makeRows(this.body, (row) => goToBlock(store, this.displayed[row]));
     store.on("selection", () => this.showSelection());
   }
 
   draw(context: Context): void {
     this.context = context;
-    this.most = FIRST_ROWS;
+    this.most = INITIAL_ROWS;
     this.fill();
   }
 
@@ -90,14 +90,14 @@ export class BlocksTab implements Tab {
 
   filter(text: string): void {
     this.search.value = text;
-    this.most = FIRST_ROWS;
+    this.most = INITIAL_ROWS;
     this.fill();
   }
 
   private sortBy(column: Column): void {
     this.descending = column === this.column ? !this.descending : column !== "line";
     this.column = column;
-    this.most = FIRST_ROWS;
+    this.most = INITIAL_ROWS;
     this.fill();
   }
 
@@ -112,7 +112,7 @@ export class BlocksTab implements Tab {
       cell.setAttribute("aria-sort", sorted);
     });
     const { run, robot } = this.context ?? {};
-    this.partial.hidden = !robot?.segments.isLong;
+    this.partialNote.hidden = !robot?.segments.isLong;
     if (!run || !robot) {
       this.body.replaceChildren();
       this.count.textContent = words.noBlocks;
@@ -122,15 +122,15 @@ export class BlocksTab implements Tab {
     const table = cachedBlockTable(robot);
     const passes = createFilter(this.search.value, run, robot, table);
     const key = sortKey(this.column, table);
-    const { indices, passed } = greatest(table.count, this.most, this.descending ? key : (i) => -key(i), passes);
+    const { indices, passed } = largestIndices(table.count, this.most, this.descending ? key : (i) => -key(i), passes);
     this.displayed = indices;
     this.body.replaceChildren(...Array.from(indices, (block) => this.createRow(block, table)));
-    beginRows(this.body);
-    this.tellCount(table, passed, passes);
+    initializeTabStops(this.body);
+    this.showCount(table, passed, passes);
     this.showSelection();
   }
 
-  private tellCount(table: BlockTable, passed: number, passes: (block: number) => boolean): void {
+  private showCount(table: BlockTable, passed: number, passes: (block: number) => boolean): void {
     let time_s = 0;
     for (let block = 0; block < table.count; ++block) if (passes(block)) time_s += table.duration_s[block];
     const displayed = countText(this.displayed.length);

@@ -7,7 +7,7 @@ import { percentText, timeText } from "../../../core/units";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
 import { compare, MIN_DIFFERENCE_S, type Comparison, type Row } from "../data/comparison";
-import { beginRows, makeRows } from "../rows";
+import { initializeTabStops, makeRows } from "../rows";
 
 const words = texts.panels;
 const MAX_ROWS = 200;
@@ -68,11 +68,11 @@ function table({ rows, count }: Comparison, { robot }: Context, store: Store): H
   makeRows(body, (index) => {
     const { file, line, change } = rows[index];
     if (change === "gone" || !robot) return;
-    const [block] = robot.blocks.ofLine(robot.files.indexOf(file), line);
+    const [block] = robot.blocks.blocksOfLine(robot.files.indexOf(file), line);
     if (block === undefined) goTo(store, { file, line }, null);
     else goToBlock(store, block);
   });
-  beginRows(body);
+  initializeTabStops(body);
   return [
     element("p", { class: "note" }, words.compareCount(rows.length, count)),
     element(

@@ -7,7 +7,7 @@ import type { AxisEffort, Efforts } from "../../../run/report";
 import { texts } from "../../../texts";
 import { itemList } from "../mark_list";
 import { axisTable, type AxisRow } from "./axis_rows";
-import { figure } from "./figure";
+import { metricItem } from "./metric_item";
 
 const words = texts.panels.efforts;
 
@@ -22,7 +22,7 @@ export function createEfforts(efforts: Efforts, store: Store): HTMLElement {
   };
   const energies = element("dl", { class: "figures" });
   for (const key of ["in_j", "back_j", "friction_j"] as const) {
-    energies.append(figure(words.energies[key], energyText(efforts[key]), words.energyHints[key]));
+    energies.append(metricItem(words.energies[key], energyText(efforts[key]), words.energyHints[key]));
   }
   return element(
     "section",

@@ -1,7 +1,7 @@
 // All events of a run, in the order of time.
 
+import { eventText } from "../../../core/display_names";
 import { choice, element } from "../../../core/dom";
-import { eventText } from "../../../core/names";
 import type { Store } from "../../../core/store";
 import { markKinds, runMarks, type Mark } from "../../../run/marks";
 import { texts } from "../../../texts";

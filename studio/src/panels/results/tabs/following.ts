@@ -9,7 +9,7 @@ import type { AxisFollowing, ContourError, Following } from "../../../run/report
 import { texts } from "../../../texts";
 import { itemList, type Item } from "../mark_list";
 import { axisTable, type AxisRow } from "./axis_rows";
-import { figure } from "./figure";
+import { metricItem } from "./metric_item";
 
 const words = texts.panels.following;
 
@@ -30,12 +30,12 @@ export function createFollowingErrors(following: Following, store: Store): HTMLE
     axisTable(words.heads, following.axes.map(createRow), store),
     element("h3", { class: "heading", title: words.contourHint }, words.contourTitle),
     itemList(words.contourTitle, contours, contours.length),
-    element("dl", { class: "figures" }, figure(words.inPosition, settlingTime, words.inPositionHint)),
+    element("dl", { class: "figures" }, metricItem(words.inPosition, settlingTime, words.inPositionHint)),
   );
 
-  function createRow({ axis, unit, peak, rms, behind_s, file, line, t_s }: AxisFollowing): AxisRow {
+  function createRow({ axis, unit, peak, rms, lag_s, file, line, t_s }: AxisFollowing): AxisRow {
     const amount = (value: number) => axisText(value, unit === "deg", store.get("units"));
-    const cells = [amount(peak), amount(rms), valueText(MS_PER_S * behind_s)];
+    const cells = [amount(peak), amount(rms), valueText(MS_PER_S * lag_s)];
     return { axis, t_s, file, line, cells, title: words.rowHint(timeText(t_s, 2)), isOutOfRange: false };
   }
 

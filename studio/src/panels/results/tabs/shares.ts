@@ -3,7 +3,7 @@
 import { kindColours, orange } from "../../../core/colours";
 import { element } from "../../../core/dom";
 import { goToBlock } from "../../../core/navigation";
-import { limitText } from "../../../core/names";
+import { limitText } from "../../../core/display_names";
 import type { Store } from "../../../core/store";
 import { percentText, timeText } from "../../../core/units";
 import { limitOfReport, type NamedLimit } from "../../../run/limits";
@@ -11,13 +11,13 @@ import { moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
 import type { Context, Links, Tab } from "../context";
 import { cachedBlockTable, type BlockTable } from "../data/block_table";
-import { limitColour, limitHint, blockLimit } from "../data/limit_words";
+import { limitColour, limitHint, blockLimit } from "../data/limit_texts";
 import { timeByOperation } from "../data/operations";
 import { timeByTool } from "../data/tools";
 
 const words = texts.panels;
 
-interface Share {
+interface TimeShare {
   name: string;
   time_s: number;
   colour: string;
@@ -62,7 +62,7 @@ export function createTimeShares(store: Store, links: Links): Tab {
 }
 
 /** Uses the report, which counts each sub-segment separately; else the longest part of each block. */
-function sharesByLimit({ robot, report }: Context, table: BlockTable, links: Links): Share[] {
+function sharesByLimit({ robot, report }: Context, table: BlockTable, links: Links): TimeShare[] {
   const times = new Map<string, { limit: NamedLimit; time_s: number }>();
   const add = (limit: NamedLimit, time_s: number) => {
     const name = limitText(limit);
@@ -85,7 +85,7 @@ function sharesByLimit({ robot, report }: Context, table: BlockTable, links: Lin
     .sort((a, b) => b.time_s - a.time_s);
 }
 
-function sharesByKind(table: BlockTable, links: Links): Share[] {
+function sharesByKind(table: BlockTable, links: Links): TimeShare[] {
   const times_s = new Float64Array(moveKinds.length);
   for (let block = 0; block < table.count; ++block) times_s[table.kind[block]] += table.duration_s[block];
   return moveKinds
@@ -101,7 +101,7 @@ function sharesByKind(table: BlockTable, links: Links): Share[] {
 }
 
 /** Returns an empty list if nothing can be distinguished. */
-function createBars(title: string, hint: string, shares: Share[], run_time_s: number): HTMLElement[] {
+function createBars(title: string, hint: string, shares: TimeShare[], run_time_s: number): HTMLElement[] {
   if (shares.length === 0) return [];
   const most_s = Math.max(...shares.map(({ time_s }) => time_s), 1e-12);
   const rows = shares.map(({ name, time_s, colour, title: tip, choose }) =>

@@ -11,8 +11,8 @@ import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
 import { markItem, section, type Item } from "../mark_list";
 import { createEfforts } from "./efforts";
-import { figure } from "./figure";
 import { createFollowingErrors } from "./following";
+import { metricItem } from "./metric_item";
 import { createTravel } from "./travel";
 
 const words = texts.panels;
@@ -28,7 +28,7 @@ export function createSummary(store: Store): Tab {
       if (!report) return;
       host.append(...sections(context, severeKinds, store));
       if (report.cycle_time_s > 0) host.append(figures(report, store));
-      host.append(...sections(context, light, store));
+      host.append(...sections(context, minorKinds, store));
       if (told.length > 0) host.append(section(words.told, "finding", told));
       if (report.efforts) host.append(createEfforts(report.efforts, store));
       if (report.following) host.append(createFollowingErrors(report.following, store));
@@ -43,7 +43,7 @@ export function createSummary(store: Store): Tab {
 
 // Errors that make a run useless come before its values, warnings after them.
 const severeKinds: readonly MarkKind[] = ["alarm", "collision", "violation", "zone"];
-const light: readonly MarkKind[] = ["motor", "finding", "near"];
+const minorKinds: readonly MarkKind[] = ["motor", "finding", "near"];
 
 function sections({ run, index }: Context, kinds: readonly MarkKind[], store: Store): HTMLElement[] {
   const byKind = new Map<MarkKind, Mark[]>();
@@ -85,22 +85,22 @@ function diagnosticItems({ run, report }: Context, store: Store): Item[] {
 function figures(report: Report & { idle_s?: number }, store: Store): HTMLElement {
   const { time, length, lower_bound_s: bound_s, cycle_time_s: total_s } = report;
   const units = store.get("units");
-  const list = element("dl", { class: "figures" }, figure(words.cycleTime, timeText(total_s)));
+  const list = element("dl", { class: "figures" }, metricItem(words.cycleTime, timeText(total_s)));
   list.firstElementChild!.classList.add("great");
   if (time) list.append(timeBar(time, total_s));
   if (bound_s != null && total_s > 0) {
     const beyond = words.boundShare(percentText(total_s - bound_s, total_s));
-    list.append(figure(words.bound, timeText(bound_s), words.boundHint), element("p", { class: "note" }, beyond));
+    list.append(metricItem(words.bound, timeText(bound_s), words.boundHint), element("p", { class: "note" }, beyond));
   }
-  if (report.idle_s !== undefined) list.append(figure(words.idle, timeText(report.idle_s)));
+  if (report.idle_s !== undefined) list.append(metricItem(words.idle, timeText(report.idle_s)));
   if (length) {
-    list.append(figure(words.feedLength, lengthShort(length.feed_mm, units)));
-    list.append(figure(words.rapidLength, lengthShort(length.rapid_mm, units)));
-    if (length.jet_on_mm > 0) list.append(figure(words.process, lengthShort(length.jet_on_mm, units)));
+    list.append(metricItem(words.feedLength, lengthShort(length.feed_mm, units)));
+    list.append(metricItem(words.rapidLength, lengthShort(length.rapid_mm, units)));
+    if (length.process_on_mm > 0) list.append(metricItem(words.process, lengthShort(length.process_on_mm, units)));
   }
-  if (report.blocks !== undefined) list.append(figure(words.blocks, countText(report.blocks)));
-  if (report.moves !== undefined) list.append(figure(words.moves, countText(report.moves)));
-  list.append(figure(words.machine, report.machine), figure(words.controller, report.controller ?? "–"));
+  if (report.blocks !== undefined) list.append(metricItem(words.blocks, countText(report.blocks)));
+  if (report.moves !== undefined) list.append(metricItem(words.moves, countText(report.moves)));
+  list.append(metricItem(words.machine, report.machine), metricItem(words.controller, report.controller ?? "–"));
   return list;
 }
 
@@ -117,7 +117,7 @@ function timeBar(time: NonNullable<Report["time"]>, total_s: number): HTMLElemen
     ...parts.map(({ time_s, kind }) => element("i", { class: kind, style: `flex-grow:${time_s / total_s}` })),
   );
   const figures = parts.map(({ name, time_s, kind }) => {
-    const row = figure(name, `${timeText(time_s)} · ${percentText(time_s, total_s)} %`);
+    const row = metricItem(name, `${timeText(time_s)} · ${percentText(time_s, total_s)} %`);
     row.classList.add("of-time", kind);
     return row;
   });

@@ -3,10 +3,10 @@
 import type { Robot, Run } from "../../../run/run";
 import { cachedBlockTable, type BlockTable } from "../../results/data/block_table";
 import { MIN_DIFFERENCE_S } from "../../results/data/comparison";
-import { greatest } from "../../results/data/greatest";
+import { largestIndices } from "../../results/data/largest_indices";
 import { linesOf } from "../../results/data/source_lines";
 import { matchBlocks, type BlockMatching, type Side } from "./matching";
-import type { From } from "./variants_file";
+import type { StartBlock } from "./variants_file";
 
 export type RowKind = "both" | "changed" | "onlyA" | "onlyB";
 
@@ -30,12 +30,12 @@ export const isCompleteRun = ({ report, error }: Run): boolean =>
   error === null && (report?.status === "completed" || report?.status === "violations");
 
 /** Returns the block of a position in a run; -1: the run never reaches it. */
-export function blockOf({ files, blocks }: Robot, { file, line, pass }: From): number {
-  return blocks.ofLine(files.indexOf(file), line)[pass - 1] ?? -1;
+export function blockOf({ files, blocks }: Robot, { file, line, pass }: StartBlock): number {
+  return blocks.blocksOfLine(files.indexOf(file), line)[pass - 1] ?? -1;
 }
 
 /** Returns the block at which the times of a run start; -1: the run never reaches it. */
-function startBlock(from: From | null, own: Robot, other: Robot, matched: Int32Array): number {
+function startBlock(from: StartBlock | null, own: Robot, other: Robot, matched: Int32Array): number {
   if (!from) return 0;
   const block = blockOf(own, from);
   if (block >= 0 || own.files.includes(from.file)) return block;
@@ -62,7 +62,7 @@ export class Differences {
   constructor(
     readonly a: Side,
     readonly b: Side,
-    readonly from: From | null = null,
+    readonly from: StartBlock | null = null,
   ) {
     this.matching = matchBlocks(a, b);
     this.tables = [cachedBlockTable(a.robot), cachedBlockTable(b.robot)];
@@ -109,7 +109,7 @@ export class Differences {
   rows(most: number, words = ""): { rows: Row[]; count: number } {
     const lets = this.filter(words);
     const differs = (pair: number) => Math.abs(this.difference_s(pair)) >= MIN_DIFFERENCE_S && lets(pair);
-    const { indices, passed } = greatest(this.blocksOfA.length, most, (pair) => Math.abs(this.difference_s(pair)), differs);
+    const { indices, passed } = largestIndices(this.blocksOfA.length, most, (pair) => Math.abs(this.difference_s(pair)), differs);
     return { rows: Array.from(indices, (pair) => this.row(pair)), count: passed };
   }
 
@@ -120,7 +120,7 @@ export class Differences {
   largestDifferences(most: number): Row[] {
     const way = Math.sign(this.total_s);
     const share_s = (pair: number) => way * this.difference_s(pair);
-    const { indices } = greatest(this.blocksOfA.length, most, share_s, (pair) => share_s(pair) >= MIN_DIFFERENCE_S);
+    const { indices } = largestIndices(this.blocksOfA.length, most, share_s, (pair) => share_s(pair) >= MIN_DIFFERENCE_S);
     return Array.from(indices, (pair) => this.row(pair));
   }
 
@@ -130,7 +130,7 @@ export class Differences {
     if (queryText === "") return () => true;
     const [, from, to = from] = /^(\d+)(?:\s*-\s*(\d+))?$/.exec(queryText) ?? [];
     if (from) return (pair) => this.lineOf(pair) >= Number(from) && this.lineOf(pair) <= Number(to);
-    const texts = [this.a, this.b].map(({ run, robot }) => robot.files.map((file) => linesOf(run.sources, file).matching(queryText)));
+    const texts = [this.a, this.b].map(({ run, robot }) => robot.files.map((file) => linesOf(run.sources, file).linesWith(queryText)));
     return (pair) => {
       const [side, block] = this.standing(pair);
       const table = this.tables[side];
@@ -160,7 +160,7 @@ export class Differences {
       line,
       text: linesOf(run.sources, name).line(line),
       pass: (side === 0 ? this.matching.passA : this.matching.passB)[block] + 1,
-      passes: robot.blocks.ofLine(file, line).length,
+      passes: robot.blocks.blocksOfLine(file, line).length,
       blocks: [a, b],
       times_s: [this.time_s(0, a), this.time_s(1, b)],
     };

@@ -1,6 +1,6 @@
 // File of variants that is edited: its contents, and its changes, which undo reverts.
 
-import { namesOfKind, baseName } from "../../../core/kinds";
+import { namesOfKind, baseName } from "../../../core/file_kinds";
 import type { Session } from "../../../core/session";
 import type { Store } from "../../../core/store";
 import { freeName, readVariants, writeVariants, type ReadVariants, type Variant } from "./variants_file";
@@ -38,7 +38,7 @@ export class ListFile {
   }
 
   read(): ReadVariants {
-    return this.isNew ? { variants: [], fault: "" } : readVariants(this.session.documents.text(this.name));
+    return this.isNew ? { variants: [], error: "" } : readVariants(this.session.documents.text(this.name));
   }
 
   /** Makes a change. Does nothing if the file cannot be read, because its contents would be lost. */

@@ -86,7 +86,7 @@ export function matchBlocks(a: Side, b: Side): BlockMatching {
     const line = tableB.line[block];
     const lineA = lines ? lines.before[line] : line;
     if (file < 0 || !lineA) continue;
-    const blockA = a.robot.blocks.ofLine(file, lineA)[found.passB[block]] ?? -1;
+    const blockA = a.robot.blocks.blocksOfLine(file, lineA)[found.passB[block]] ?? -1;
     if (blockA < 0) continue;
     found.blocksOfB[block] = blockA;
     found.blocksOfA[blockA] = block;

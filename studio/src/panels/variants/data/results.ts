@@ -40,10 +40,10 @@ export class Results {
     }
     this.runs.set(key, run);
     this.dropped.delete(key);
-    this.makeRoom();
+    this.dropOldRuns();
   }
 
-  private makeRoom(): void {
+  private dropOldRuns(): void {
     let blocks = [...this.runs.values()].reduce((sum, run) => sum + segmentTotal(run), 0);
     for (const [key, run] of this.runs) {
       if (blocks <= this.mostBlocks || this.runs.size === 1) return;

@@ -24,7 +24,7 @@ export class Runner {
     const turn = ++this.turn;
     for (const { name, setup } of variants) {
       this.tell({ name, done: 0, total: 0 });
-      const run = await this.session.runBeside(setup, (running) => {
+      const run = await this.session.runComparison(setup, (running) => {
         if (turn === this.turn) this.tell({ name, ...running });
       });
       if (turn !== this.turn) return;

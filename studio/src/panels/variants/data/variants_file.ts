@@ -8,7 +8,7 @@ const words = texts.variants.file;
 
 
 /** Block of a run: that of a line, at the given pass over it, from 1. */
-export interface From {
+export interface StartBlock {
   file: string;
   line: number;
   pass: number;
@@ -18,11 +18,11 @@ export interface Variant {
   name: string;
   setup: Setup;
   /** Start of its times; null: the start of the program. */
-  from: From | null;
+  from: StartBlock | null;
 }
 
 /** Contents of a file, or a message why it cannot be read. */
-export type ReadVariants = { variants: Variant[]; fault: "" } | { variants: null; fault: string };
+export type ReadVariants = { variants: Variant[]; error: "" } | { variants: null; error: string };
 
 class VariantsFileError extends Error {}
 
@@ -36,7 +36,7 @@ function only(table: Table, known: readonly string[], where: string): void {
   if (other !== undefined) throw new VariantsFileError(words.unknownKey(where, other));
 }
 
-function readCountStart(value: unknown, where: string): From {
+function readStartBlock(value: unknown, where: string): StartBlock {
   if (!isJsonObject(value)) throw new VariantsFileError(words.wrongFrom(where));
   only(value, ["file", "line", "pass"], `${where}, from`);
   const { file, line, pass = 1 } = value;
@@ -63,7 +63,7 @@ function readVariant(value: unknown, number: number): Variant {
   const { name, from, ...setup } = value;
   only(setup, Object.keys(emptySetup()), where);
   if (typeof name !== "string" || name === "") throw new VariantsFileError(words.noName(where));
-  return { name, setup: readSetup(setup, where), from: from === undefined ? null : readCountStart(from, where) };
+  return { name, setup: readSetup(setup, where), from: from === undefined ? null : readStartBlock(from, where) };
 }
 
 function read(text: string): Variant[] {
@@ -80,9 +80,9 @@ function read(text: string): Variant[] {
 
 export function readVariants(text: string): ReadVariants {
   try {
-    return { variants: read(text), fault: "" };
-  } catch (fault) {
-    return { variants: null, fault: fault instanceof Error ? fault.message : String(fault) };
+    return { variants: read(text), error: "" };
+  } catch (error) {
+    return { variants: null, error: error instanceof Error ? error.message : String(error) };
   }
 }
 
