@@ -71,7 +71,8 @@ TEST(GsimProgram, TellsTheFirstErrorWithoutFolders) {
     const GsimProgram gsim(script(folder, "echo \"$6:3: no such code\" >&2\nexit 1\n"), {"machines"});
     EXPECT_EQ(gsim.cycle_time_s(recording(folder)).error().message, "router_a.ngc:3: no such code");
     const GsimProgram killed(script(folder, "kill -9 $$\n"), {"machines"});
-    EXPECT_EQ(killed.cycle_time_s(recording(folder)).error().message, "fake-gsim-run was terminated by signal 9");
+    EXPECT_EQ(killed.cycle_time_s(recording(folder)).error().message,
+              "fake-gsim-run was terminated by signal 9");
     const GsimProgram silent(script(folder, "exit 1\n"), {"machines"});
     EXPECT_EQ(silent.cycle_time_s(recording(folder)).error().message, "gsim-run failed without a word");
     const GsimProgram refusing(
