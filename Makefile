@@ -1,4 +1,4 @@
-# The front door: everything here is a short name for a cmake preset or a script.
+# Entry point: every target is a short name for a cmake preset or a script.
 # `make run` and `make test` work on a bare Debian 12 with git, make and root or sudo.
 
 JOBS         ?= $(shell scripts/jobs.sh)
@@ -85,7 +85,7 @@ bench: setup
 	@$(call build_into,release) --target gsim gsim-bench-generate gsim-bench-floor gsim-bench-compare
 	@bench/run.sh build
 
-# The recordings are no part of the project. An empty name must not become the folder '/'.
+# The recordings are not part of the project. An empty name must not become the folder '/'.
 ifeq ($(and $(GSIM_REFERENCE),$(wildcard $(GSIM_REFERENCE)/.)),)
 accuracy calibration:
 	@echo "$@: there is no folder '$(GSIM_REFERENCE)' of recorded controllers; name it: make $@ GSIM_REFERENCE=FOLDER"

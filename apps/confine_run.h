@@ -11,9 +11,9 @@
 
 namespace gsim::apps {
 
-/// Returns the file system access that a run may still need after its machine and its cell have been read:
-/// the folders of its programs, in which called programs are searched, those of its outputs, and further
-/// files that its request names; for a picture the programs of the system, including gnuplot.
+/// Returns the file system access that a run may still need once its machine and its cell have been read: the
+/// folders of its programs, where called programs are searched, those of its outputs, and further files that
+/// its request names; for a picture the programs of the system, including gnuplot.
 os::SandboxPolicy run_sandbox_policy(const RunArguments& arguments, const engine::Request& request,
                                      std::span<const std::string> programs);
 

@@ -148,7 +148,7 @@ class Command {
     std::optional<os::FileLock> lock_;
 };
 
-/// Confines the process after the machine was read. Does nothing for LinuxCNC settings, because they name
+/// Confines the process once the machine has been read. Does nothing for LinuxCNC settings, because they name
 /// files that may lie anywhere.
 Result<void> confine(const DataArguments& a) {
     if (a.no_confine || (a.command == DataCommand::import && !imports_table(a))) return {};

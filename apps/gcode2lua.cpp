@@ -76,7 +76,7 @@ Result<void> write_lua(const engine::Translation& translation, const std::string
         .and_then([&] { return file->commit(); });
 }
 
-/// Confines the process after the program was opened, because from here on it needs only the outputs.
+/// Confines the process once the program is open, because from here on it needs only the outputs.
 Result<void> confine_translation(const TranslateArguments& arguments, engine::Translation& translation) {
     if (arguments.no_confine) return {};
     translation.reserve_space();

@@ -18,10 +18,10 @@ struct UsedFile {
 };
 
 /// Files of a program: the main one and those of its subprograms, with names from a post. All get their names
-/// together after they are written, the main one last.
+/// together once they are written, the main one last.
 class ProgramFiles {
   public:
-    /// Opens the main file and the additional ones. The latter replace no file that is `taken`, nor, without
+    /// Opens the main file and the additional ones. The latter replace no file of `used_files`, nor, without
     /// `overwrite`, any other one.
     static Result<ProgramFiles> open(const std::filesystem::path& main,
                                      const std::vector<std::string>& subprogram_files,

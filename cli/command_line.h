@@ -87,13 +87,13 @@ class CommandLine {
     /// Sets the heading of options that are added from here on.
     void begin_group(std::string heading) { group_ = std::move(heading); }
     Option& add(std::string names, Target target, std::string help);
-    /// Adds a command within the program; `chosen` is called if it is given.
+    /// Adds a command within the program; `on_selected` is called if it is given.
     CommandLine& add_command(std::string name, std::string description,
                              std::function<void()> on_selected = {});
     void add_example(std::string command, std::string effect) {
         examples_.push_back({std::move(command), std::move(effect)});
     }
-    /// Adds a paragraph after the options.
+    /// Adds a paragraph that follows the options.
     void add_note(std::string text) { notes_.push_back(std::move(text)); }
 
     const std::string& program() const { return program_; }
@@ -119,7 +119,7 @@ class CommandLine {
     std::function<void()> on_selected_;
 };
 
-/// Returns "FILE", "NUMBER", "ab9|rs274ngc": the text after an option in its help; empty for a flag.
+/// Returns "FILE", "NUMBER", "ab9|rs274ngc": the text that follows an option in its help; empty for a flag.
 std::string value_name(const Option& option);
 
 /// Returns the values that shells offer for an option: its choices, or its suggestions.

@@ -60,7 +60,8 @@ std::string note_list(const CommandLine& line) {
     return text;
 }
 
-/// Returns "gsim-data FILE set [options] SECTION ...": the command after the part that precedes all commands.
+/// Returns "gsim-data FILE set [options] SECTION ...": the usage of the command, with the part that precedes
+/// all commands.
 std::string usage_of_command(const CommandLine& line, const CommandLine& command) {
     std::string usage = line.program() + " ";
     for (const Option& option : line.options()) {

@@ -4,7 +4,7 @@
 # machine/embedded_machines the header declares, in namespace gsim::embedded,
 #     std::span<const std::pair<std::string_view, std::string_view>> embedded_machines();  // names and texts
 #     std::string_view embedded_machines(std::string_view name);  // data() is null if there is no such file
-# A file's name is that without folders, or its path from FOLDER. They are generated again whenever a file changes.
+# The name of a file is its name without folders, or its path from FOLDER. Both sources are generated again if a file changes.
 #
 # The same file is the generator: cmake -D STEM=... -D OUTPUT=... -D BELOW=... -D FILES=a|b -P EmbedFiles.cmake
 
@@ -26,7 +26,7 @@ function(gsim_embed target stem)
         VERBATIM)
     target_sources(${target} PRIVATE ${output}.cpp ${output}.h)
     gsim_generated(${target} ${output}.h)
-    # All have the same names inside, and reading the precompiled headers takes longer than reading the few that they include.
+    # All sources define the same local names, and reading the precompiled headers takes longer than reading the few that they include.
     set_source_files_properties(${output}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 

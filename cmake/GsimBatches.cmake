@@ -1,15 +1,15 @@
-# Compiles many sources at once: reading the same headers again for each source takes most of the time of a build.
+# Compiles many sources at once, because reading the same headers again for each source takes most of the time of a build.
 #
-# This is CMake's own CMAKE_UNITY_BUILD but for one thing: the batches include their sources by paths below the project's folder
-# ("motion/segment/segment.cpp"), so they have the same text in every clone, and a compiler cache knows them again. CMake writes whole paths
-# until its version 4.0 (UNITY_BUILD_RELOCATABLE).
-set(CMAKE_UNITY_BUILD OFF)  # build folders of before have it on
+# This is CMake's CMAKE_UNITY_BUILD with one difference: the batches include their sources by paths below the project's folder
+# ("motion/segment/segment.cpp"). So they have the same text in every clone, and a compiler cache recognizes them. CMake writes
+# absolute paths before its version 4.0 (UNITY_BUILD_RELOCATABLE).
+set(CMAKE_UNITY_BUILD OFF)  # older build folders have it on
 option(GSIM_BATCHES "Compile sources in batches" OFF)
 set(GSIM_BATCH_SIZE 96 CACHE STRING "How many sources a batch has at most")
 mark_as_advanced(GSIM_BATCH_SIZE)
 
-# gsim_batchable(RESULT TARGET): the sources of a target, except those that are generated, that are compiled in a way of their own
-# (SKIP_UNITY_BUILD_INCLUSION), or that are no C++.
+# gsim_batchable(RESULT TARGET): the sources of a target, except those that are generated, that are compiled separately
+# (SKIP_UNITY_BUILD_INCLUSION), or that are not C++.
 function(gsim_batchable result target)
     get_target_property(sources ${target} SOURCES)
     get_target_property(source_folder ${target} SOURCE_DIR)
@@ -26,8 +26,8 @@ function(gsim_batchable result target)
     set(${result} ${batched} PARENT_SCOPE)
 endfunction()
 
-# gsim_compile_together(LIBRARY OTHERS...): the batches of a library have the sources of the others, too, whose archives are empty then:
-# each links the other. All of them are hot, or all are cold. With GSIM_BATCHES only: debug builds link each as it stands.
+# gsim_compile_together(LIBRARY OTHERS...): puts the sources of the other libraries into the batches of the first. Their archives are
+# then empty, so each links the other. All of them are hot, or all are cold. Only with GSIM_BATCHES: debug builds link each by itself.
 function(gsim_compile_together library)
     if(NOT GSIM_BATCHES)
         return()
@@ -45,7 +45,7 @@ function(gsim_compile_together library)
         set_property(TARGET ${other} PROPERTY GSIM_COMPILED_ELSEWHERE ON)
         set_property(TARGET ${other} PROPERTY LINKER_LANGUAGE CXX)
         set_property(TARGET ${library} APPEND PROPERTY GSIM_MORE_SOURCES ${sources})
-        target_link_libraries(${library} PUBLIC ${other})  # for what it links
+        target_link_libraries(${library} PUBLIC ${other})  # for the libraries that it links
         target_link_libraries(${other} PUBLIC ${library})
         get_target_property(generated ${other} MANUALLY_ADDED_DEPENDENCIES)
         if(generated)
@@ -54,7 +54,7 @@ function(gsim_compile_together library)
     endforeach()
 endfunction()
 
-# gsim_batch(TARGET): the sources of a target in batches.
+# gsim_batch(TARGET): puts the sources of a target into batches.
 function(gsim_batch target)
     get_target_property(build_folder ${target} BINARY_DIR)
     get_target_property(is_elsewhere ${target} GSIM_COMPILED_ELSEWHERE)
@@ -87,7 +87,7 @@ function(gsim_batch target)
     endwhile()
 endfunction()
 
-# gsim_batch_below(FOLDER): all targets of a folder and of those below it, after all of them are complete.
+# gsim_batch_below(FOLDER): batches all targets of a folder and of those below it, after all of them are complete.
 function(gsim_batch_below folder)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
     foreach(target ${targets})

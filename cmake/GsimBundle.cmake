@@ -1,6 +1,7 @@
-# libgsim, shared and static, of the modules below engine/: what other programs link. Only its interface shows (engine/api.h, engine/gsim.h).
+# libgsim, shared and static, for other programs, from the modules below engine/. It exports only its interface (engine/api.h,
+# engine/gsim.h).
 
-# gsim_bundle(SHARED ARCHIVE TARGETS...): both libraries of what TARGETS show and all that they link.
+# gsim_bundle(SHARED ARCHIVE TARGETS...): makes both libraries from the interfaces of TARGETS and all that they link.
 function(gsim_bundle shared archive)
     gsim_parts(parts ${ARGN})
     set(whole "")
@@ -16,7 +17,7 @@ function(gsim_bundle shared archive)
     target_link_options(${shared} PRIVATE -Wl,--exclude-libs,libpugixml.a)
     gsim_hot_first(${shared} ${ARGN})
 
-    # The archive has one object, so that which copies of inline functions are kept is settled here, too.
+    # The archive has one object, so that this link also decides which copies of inline functions are kept.
     gsim_hot_parts(hot ${parts})
     set(files ${hot} ${parts})
     list(REMOVE_DUPLICATES files)

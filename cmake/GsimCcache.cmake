@@ -1,5 +1,5 @@
-# Compiles through ccache where it is installed (scripts/setup.sh installs it), for all presets. Another launcher that is named
-# (CMAKE_CXX_COMPILER_LAUNCHER) is left alone; CCACHE_DISABLE=1 in the environment compiles without it.
+# Compiles through ccache if it is installed (scripts/setup.sh installs it), for all presets. Another launcher in
+# CMAKE_CXX_COMPILER_LAUNCHER takes precedence; CCACHE_DISABLE=1 in the environment compiles without ccache.
 option(GSIM_CCACHE "Compile through ccache where it is installed" ON)
 find_program(GSIM_CCACHE_PROGRAM ccache)
 mark_as_advanced(GSIM_CCACHE_PROGRAM)

@@ -1,9 +1,9 @@
-# Links what runs for each block before what does not.
+# Links hot code (that runs for each block) before other code.
 #
-# Of an inline function that several objects have, the linker keeps the copy of the first of them. Code that is compiled for a short build
-# (gsim_library(... COLD), tests) must not be that first one: products of transforms from there made arcs a seventh slower.
+# If several objects have an inline function, the linker keeps the copy of the first one. Code that is compiled for a short build
+# (gsim_library(... COLD), tests) must not be first: its products of transforms made arcs a seventh slower.
 
-# gsim_parts(RESULT TARGETS...): the project's own static libraries that these link, themselves among them, users before what they use.
+# gsim_parts(RESULT TARGETS...): the project's static libraries that the targets link, and the targets themselves, users first.
 function(gsim_parts result)
     set(parts "")
     set(seen "")
@@ -44,7 +44,7 @@ function(gsim_hot_parts result)
     set(${result} ${parts} PARENT_SCOPE)
 endfunction()
 
-# gsim_hot_first(TARGET LIBRARIES...): links the hot ones of these libraries, and of those that they link, before all else.
+# gsim_hot_first(TARGET LIBRARIES...): links the hot ones of these libraries, and of those that they link, before all others.
 function(gsim_hot_first target)
     gsim_parts(parts ${ARGN})
     gsim_hot_parts(hot ${parts})

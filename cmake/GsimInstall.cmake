@@ -1,14 +1,14 @@
-# What `cmake --install` puts where, in components: programs (with the Lua library to read and change, and the samples), solid,
-# calibrate, library (libgsim), development, python, docs, licence. Debian's packages take the components as they are (debian/rules).
-# The build calls nothing by where it will be installed, so one build serves every prefix.
+# The files and folders of `cmake --install`, in components: programs (with the Lua library to read and change, and the samples),
+# solid, calibrate, library (libgsim), development, python, docs, licence. Debian's packages use the same components (debian/rules).
+# The build does not depend on the folder of the installation, so one build serves every prefix.
 set(GSIM_DATADIR ${CMAKE_INSTALL_DATADIR}/gsim)
 
 install(DIRECTORY lua_lib DESTINATION ${GSIM_DATADIR} COMPONENT programs FILES_MATCHING PATTERN "*.lua" PATTERN "README.md")
 install(DIRECTORY samples DESTINATION ${GSIM_DATADIR} COMPONENT programs)
-# The page, where `make studio` has made it.
+# The page, if `make studio` has made it.
 install(DIRECTORY ${CMAKE_BINARY_DIR}/${GSIM_DATADIR}/studio DESTINATION ${GSIM_DATADIR} COMPONENT programs OPTIONAL)
 
-# The programs' folder has what they may be told to read; people look for it, and the links in the documentation lead, below docs.
+# These files are in the data folder of the programs; people, and the links of the documentation, look for them below docs.
 foreach(folder samples lua_lib)
     file(RELATIVE_PATH there /${CMAKE_INSTALL_DOCDIR} /${GSIM_DATADIR}/${folder})
     file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/links)
@@ -19,14 +19,14 @@ endforeach()
 configure_file(cmake/gsim.pc.in gsim.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/gsim.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig COMPONENT development)
 install(FILES controller/module/rcs_module.h controller/module/rcs_services.def DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gsim COMPONENT development)
-# The example finds the header where a maker of modules has it.
+# The example finds the header in the folder in which an author of modules has it.
 file(READ tests/controller/modules/small_module.c example)
 string(REPLACE "\"controller/module/rcs_module.h\"" "<gsim/rcs_module.h>" example "${example}")
 file(CONFIGURE OUTPUT examples/small_module.c CONTENT "${example}" @ONLY)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tests/controller/modules/small_module.c)
 install(FILES ${CMAKE_BINARY_DIR}/examples/small_module.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT development)
 
-# The engine as a library: headers find each other as <gsim/engine/run.h>, wherever they lie.
+# The engine as a library: headers include each other as <gsim/engine/run.h>, so they work in any folder.
 include(CMakePackageConfigHelpers)
 file(GLOB headers CONFIGURE_DEPENDS engine/*.h engine/*.def base/kinds/*.def)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/python/gsim)
@@ -51,7 +51,7 @@ write_basic_package_version_file(gsimConfigVersion.cmake COMPATIBILITY SameMinor
 install(FILES ${CMAKE_BINARY_DIR}/gsimConfig.cmake ${CMAKE_BINARY_DIR}/gsimConfigVersion.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/gsim COMPONENT development)
 
-# Python: pure, over the shared library. Where a system's Python looks is for its packager to say.
+# Pure Python that calls the shared library. The packager chooses the folder in which a system's Python looks for it.
 find_package(Python3 QUIET COMPONENTS Interpreter)
 set(GSIM_PYTHONDIR lib/python3/dist-packages CACHE STRING "Where the module for Python is installed, below the prefix")
 if(Python3_FOUND)
@@ -65,11 +65,11 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 
-# All that is installed; what is added to it below are the targets that install themselves.
+# All that is installed; the targets that install themselves are added to it below.
 add_custom_target(product)
 
-# gsim_own_page(NAME COMPONENT [LINKS]): man page and completions of a program that is no part of gsim, as it prints them (`NAME manual`,
-# `NAME completion SHELL`). LINKS: what else has to be there to call it by its name.
+# gsim_own_page(NAME COMPONENT [LINKS]): installs man page and completions of a program that is not part of gsim, as it prints them
+# (`NAME manual`, `NAME completion SHELL`). LINKS: other targets that must exist before it can be called by its name.
 function(gsim_own_page name component)
     set(man ${CMAKE_BINARY_DIR}/man)
     set(completions ${CMAKE_BINARY_DIR}/completions)
@@ -87,7 +87,7 @@ function(gsim_own_page name component)
     install(FILES ${completions}/${name}.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _${name} COMPONENT ${component})
 endfunction()
 
-# gsim_own_name(NAME PROGRAM COMPONENT): another name of such a program, under which it is another one, with pages of its own.
+# gsim_own_name(NAME PROGRAM COMPONENT): installs another name of such a program. By that name it is another program with its own pages.
 function(gsim_own_name name program component)
     set(link ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name})
     add_custom_command(OUTPUT ${link} COMMAND ${CMAKE_COMMAND} -E create_symlink ${program} ${link} DEPENDS ${program} COMMENT "Linking ${name}" VERBATIM)
@@ -98,7 +98,7 @@ function(gsim_own_name name program component)
     install(FILES ${link} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component})
 endfunction()
 
-# gsim_pages(NAMES...): man pages and completions of gsim and of the programs it is called by, as the program prints them.
+# gsim_pages(NAMES...): installs man pages and completions of gsim and of its other names, as the program prints them.
 function(gsim_pages)
     set(man ${CMAKE_BINARY_DIR}/man)
     set(completions ${CMAKE_BINARY_DIR}/completions)
@@ -111,7 +111,7 @@ function(gsim_pages)
     foreach(shell bash zsh fish)
         list(APPEND commands COMMAND gsim completion ${shell} > ${completions}/gsim.${shell})
     endforeach()
-    # bash and fish look for a file of the program's name.
+    # bash and fish look for a file with the name of the program.
     foreach(name ${ARGN})
         list(APPEND commands COMMAND ${CMAKE_COMMAND} -E create_symlink gsim ${completions}/${name})
         list(APPEND commands COMMAND ${CMAKE_COMMAND} -E create_symlink gsim.fish ${completions}/${name}.fish)
@@ -127,6 +127,6 @@ function(gsim_pages)
     install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
     install(FILES ${completions}/gsim.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gsim COMPONENT programs)
     install(FILES ${completions}/gsim.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
-    # Where zsh looks below /usr/local; Debian's own packages have another folder (debian/rules).
+    # zsh looks here below /usr/local; Debian's packages have another folder (debian/rules).
     install(FILES ${completions}/gsim.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _gsim COMPONENT programs)
 endfunction()

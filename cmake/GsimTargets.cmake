@@ -1,21 +1,21 @@
-# How the project's own targets are built: one function for a library, one for a program, one for a test.
+# Builds the project's targets: one function for a library, one for a program, one for a test.
 
 set_property(GLOBAL PROPERTY TARGET_MESSAGES OFF)  # no 'Built target' lines: a build with nothing to do is silent
 
 add_library(gsim_options INTERFACE)
 target_include_directories(gsim_options INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})
 target_compile_options(gsim_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror>)
-# g++ is the compiler whose warnings count; clang builds for sanitizers and fuzzing, where a warning of its own shall not stop anybody.
+# The warnings of g++ are errors. clang builds only for sanitizers and fuzzing, so its warnings do not stop the build.
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     target_compile_options(gsim_options INTERFACE -Wno-error -Wno-sign-conversion)
 endif()
-# g++ looks for garbage less often: a tenth of the time of a unit, for a tenth more memory.
+# g++ collects garbage less often: this saves a tenth of the time of a unit, for a tenth more memory.
 add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=2000000>)
-# What is built does not tell where: of two clones, one takes what the other has compiled. gcov has to find the sources.
+# Objects do not contain the folder of the build, so that two clones can share a compiler cache. gcov needs the paths of the sources.
 if(NOT GSIM_COVERAGE)
     add_compile_options(-ffile-prefix-map=${CMAKE_SOURCE_DIR}=. -ffile-prefix-map=${CMAKE_BINARY_DIR}=build)
 endif()
-# What is released is hardened.
+# Release builds are hardened.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT GSIM_SANITIZE AND NOT EMSCRIPTEN)
     add_compile_options(-fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
     add_link_options(-Wl,-z,relro,-z,now)
@@ -24,7 +24,7 @@ if(GSIM_SANITIZE)
     add_compile_options(-fsanitize=${GSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${GSIM_SANITIZE})
     add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,Clang>:-fsanitize-ignorelist=${CMAKE_SOURCE_DIR}/cmake/sanitize-ignore.txt>)
-    # The checks that the sanitizers put in make g++ 12 see uninitialized values where there are none.
+    # The checks of the sanitizers make g++ 12 report uninitialized values that are none.
     add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
@@ -36,31 +36,31 @@ if(GSIM_COVERAGE)
     add_link_options(--coverage)
 endif()
 
-# gsim_generated(TARGET HEADERS...): headers that a library makes; the target `generated` makes those of all libraries, and is all that
-# looking at sources (scripts/lint.sh) needs of a build.
+# gsim_generated(TARGET HEADERS...): headers that a library generates. The target `generated` makes those of all libraries; checks of
+# sources (scripts/lint.sh) need nothing else of a build.
 add_custom_target(generated)
 function(gsim_generated target)
     foreach(header ${ARGN})
         get_filename_component(name ${header} NAME_WE)
         add_custom_target(generated_${name} DEPENDS ${header})
-        add_dependencies(${target} generated_${name})  # else both would make it, at once
+        add_dependencies(${target} generated_${name})  # else both would make it at the same time
         add_dependencies(generated generated_${name})
     endforeach()
 endfunction()
 
-# Code that runs once for a file, a program or a report, and not for each block, is compiled in two thirds of the time: the optimisation of
-# debug builds, with functions that are called once put where they are called, or objects are twice as large.
+# Cold code (that runs once for a file, a program or a report, not for each block) has the optimisation of debug builds: it compiles
+# in two thirds of the time. Functions that are called once are inlined, or objects would be twice as large.
 set(GSIM_COLD_OPTIONS "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # With -Og g++ 12 takes members of an empty std::optional for read (as with the sanitizers above).
+    # With -Og g++ 12 warns about members of an empty std::optional, which are never read (as with the sanitizers above).
     set(GSIM_COLD_OPTIONS "$<$<CONFIG:Release>:-Og;-finline-functions-called-once;-Wno-maybe-uninitialized>")
 endif()
 
 # Reading the same large headers again for each batch is a quarter of the time of a build. Builds in batches (preset release) read
-# them once: a set for libraries that run for each block, one for those that do not, and two for tests. g++ takes the optimisation of a
-# unit from the precompiled header, so units that share one share their options. nlohmann-json is in none: its header has inline functions
-# that instantiate its parser in each unit, a third of a second. Debug builds and clang-tidy read each source as it stands, and so notice
-# a missing #include. Definitions change what headers say: all have those of fmt and Eigen, whether they link them or not.
+# them once: one set for hot libraries, one for cold libraries, and two for tests. g++ takes the optimisation of a unit from the
+# precompiled header, so units that share one share their options. nlohmann-json is in none: its header has inline functions that
+# instantiate its parser in each unit, for a third of a second. Debug builds and clang-tidy read each source without these headers, so
+# they find a missing #include. Definitions change headers, so all units have those of fmt and Eigen, whether they link them or not.
 option(GSIM_PRECOMPILE "Precompile the headers that most units read" ${GSIM_BATCHES})
 find_package(Eigen3 REQUIRED)
 find_package(fmt REQUIRED)
@@ -77,7 +77,7 @@ if(GSIM_PRECOMPILE)
     target_compile_options(gsim_precompiled_cold PRIVATE ${GSIM_COLD_OPTIONS})
 endif()
 
-# gsim_library(NAME SOURCES... [LINK LIBS...] [COLD]): a static library of one folder. COLD: its code does not run for each block.
+# gsim_library(NAME SOURCES... [LINK LIBS...] [COLD]): adds a static library of one folder. COLD: its code does not run for each block.
 function(gsim_library name)
     cmake_parse_arguments(ARG "COLD" "" "LINK" ${ARGN})
     add_library(${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
@@ -98,8 +98,8 @@ function(gsim_library name)
     endif()
 endfunction()
 
-# gsim_program(NAME SOURCES... [LINK LIBS...] [COMPONENT NAME FOLDER FOLDER]): a program that is installed, with the programs that
-# people call unless another component and folder are named.
+# gsim_program(NAME SOURCES... [LINK LIBS...] [COMPONENT NAME FOLDER FOLDER]): adds a program and installs it. Without COMPONENT and
+# FOLDER it is installed with the programs that people call.
 function(gsim_program name)
     cmake_parse_arguments(ARG "" "COMPONENT;FOLDER" "LINK" ${ARGN})
     add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
@@ -114,15 +114,15 @@ function(gsim_program name)
     add_dependencies(product ${name})
 endfunction()
 
-# How tests are compiled: they are compiled more often than they are run, so all but those that compute much themselves have no
-# optimisation at all (whose headers' checks of lengths need one, and warn).
+# Tests are compiled more often than they are run, so they have no optimisation, except those that compute much themselves.
+# _FORTIFY_SOURCE is off because it warns without optimisation.
 set(GSIM_PLAIN_OPTIONS "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(GSIM_PLAIN_OPTIONS "$<$<CONFIG:Release>:-O0;-U_FORTIFY_SOURCE>")
 endif()
-# gsim_test_options(NAME plain | cold): GSIM_PLAIN_OPTIONS or GSIM_COLD_OPTIONS, and what all tests have.
+# gsim_test_options(NAME plain | cold): sets GSIM_PLAIN_OPTIONS or GSIM_COLD_OPTIONS, and the options of all tests.
 function(gsim_test_options name kind)
-    # g++ 12 takes "text" + std::string for an overlapping or endless copy (GCC bug 105651).
+    # g++ 12 reports "text" + std::string as an overlapping or endless copy (GCC bug 105651).
     target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds>)
     string(TOUPPER GSIM_${kind}_OPTIONS optimisation)
     target_compile_options(${name} PRIVATE ${${optimisation}})
@@ -136,11 +136,12 @@ if(GSIM_PRECOMPILE AND GSIM_TESTS)
     endforeach()
 endif()
 
-# Tests are linked by mold where it is installed: in two fifths of the time.
+# Tests are linked by mold if it is installed, in two fifths of the time.
 find_program(GSIM_MOLD mold)
 mark_as_advanced(GSIM_MOLD)
 
-# gsim_test(NAME SOURCES... [LINK LIBS...] [COMPUTES]): a GoogleTest program. COMPUTES: without optimisation it would take many times as long.
+# gsim_test(NAME SOURCES... [LINK LIBS...] [COMPUTES]): adds a GoogleTest program. COMPUTES: it is optimised, because it would otherwise
+# take many times as long.
 function(gsim_test name)
     cmake_parse_arguments(ARG "COMPUTES" "" "LINK" ${ARGN})
     add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})

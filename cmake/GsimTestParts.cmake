@@ -1,5 +1,5 @@
-# What the tests are built with and the programs are not (scripts/setup.sh test). Where something of it is missing the tests are left out, so
-# that building the programs takes no more than they need.
+# Finds the packages that only the tests need (scripts/setup.sh test). If one of them is missing, the tests are left out, so that the
+# programs can be built without them.
 if(GSIM_TESTS)
     find_package(GTest QUIET)
     find_package(orocos_kdl QUIET)

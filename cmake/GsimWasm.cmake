@@ -1,6 +1,6 @@
-# WebAssembly, by Debian's emscripten: where the libraries come from that others build for this system.
+# Finds the libraries for WebAssembly, for which Debian has only emscripten and no built libraries.
 #
-# Libraries that are headers alone are Debian's, through a folder that shows them and nothing else of /usr/include, which belongs to another
+# Header-only libraries are those of Debian, through a folder with links to them. Other headers of /usr/include belong to another
 # C library. Lua and pugixml are compiled from Debian's sources (scripts/wasm-sources.sh).
 
 set(GSIM_WASM_SOURCES ${CMAKE_SOURCE_DIR}/build-wasm-sources CACHE PATH "Where scripts/wasm-sources.sh has put sources")
@@ -22,14 +22,14 @@ include_directories(SYSTEM ${headers} /usr/include/eigen3)
 
 set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
 
-# C++ in place of setjmp() and of exceptions that JavaScript throws; Bison's GLR parsers use setjmp().
+# WebAssembly's exceptions replace setjmp() and the exceptions of JavaScript; Bison's GLR parsers use setjmp().
 add_compile_options(-fwasm-exceptions -sSUPPORT_LONGJMP=wasm)
 add_link_options(-fwasm-exceptions -sSUPPORT_LONGJMP=wasm)
 
-# emscripten looks for its tools in JavaScript where Debian's own node would; another node has to be told.
+# emscripten's JavaScript tools are in the module folder of Debian's node; another node needs NODE_PATH to find them.
 set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
 
-# gsim_redirect(PACKAGE TARGET [DEFINITIONS...]): find_package(PACKAGE) finds a target that is headers alone, of the version that is installed.
+# gsim_redirect(PACKAGE TARGET [DEFINITIONS...]): makes find_package(PACKAGE) find a header-only target of the installed version.
 function(gsim_redirect package target)
     file(GLOB version_files /usr/lib/cmake/${package}/*[vV]ersion.cmake /usr/lib/*/cmake/${package}/*[vV]ersion.cmake
          /usr/share/cmake/${package}/*[vV]ersion.cmake /usr/share/${package}/cmake/*[vV]ersion.cmake)
@@ -57,10 +57,10 @@ gsim_redirect(CLI11 CLI11::CLI11)
 gsim_redirect(FastFloat FastFloat::fast_float)
 gsim_redirect(tomlplusplus tomlplusplus::tomlplusplus)
 
-# Debian writes this one as it builds Lua: a part of a path in which a sandboxed Lua looks for nothing.
+# Debian generates this header when it builds Lua: it is part of a search path that a sandboxed Lua does not use.
 file(WRITE ${headers}/lua5.4-deb-multiarch.h "#define DEB_HOST_MULTIARCH \"wasm32-emscripten\"\n")
 
-# Lua as C++, as Debian's lua5.4-c++ is: its errors are exceptions.
+# Lua is compiled as C++, as Debian's lua5.4-c++, so that its errors are exceptions.
 file(GLOB lua_sources ${GSIM_WASM_SOURCES}/lua5.4/src/*.c)
 list(FILTER lua_sources EXCLUDE REGEX "/(lua|luac)\\.c$")
 set_source_files_properties(${lua_sources} PROPERTIES LANGUAGE CXX)

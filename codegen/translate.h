@@ -41,8 +41,8 @@ struct Translation {
     ProgramMap programs;
 };
 
-/// Translates one source to Lua in `spool`. Each diagnostic is passed to `take` as soon as it is known. The
-/// caller must check if the source could be read to its end (Source::error()).
+/// Translates one source to Lua in `spool`. Each diagnostic is passed to `report_diagnostic` as soon as it is
+/// known. The caller must check if the source could be read to its end (Source::error()).
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
                       const std::function<void(const text::Diagnostic&)>& report_diagnostic);
 

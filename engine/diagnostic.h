@@ -19,7 +19,7 @@ struct Diagnostic {
     std::string file = {};  ///< As it was named; empty without a file.
     std::uint32_t line = 0;
     std::uint32_t column = 0;
-    std::uint32_t end_column = 0;  ///< First byte after the marked text, on the same line.
+    std::uint32_t end_column = 0;  ///< First byte past the marked text, on the same line.
     std::string text = {};         ///< A message, without its full stop.
     std::string hint = {};         ///< A suggested fix; empty if none is known.
     std::string excerpt = {};      ///< The line and a caret below, for people; full lines or empty.

@@ -22,7 +22,7 @@ GSIM_API std::string diagnostic_text(const Diagnostic& diagnostic);
 GSIM_API Diagnostic to_diagnostic(const Error& error);
 
 /// Returns {"diagnostics": [...]}: each with file, line, column, end_column, severity, code, text and hint
-/// (null if not known), after {"programs": [...]} if programs are given (docs/diagnostics.md).
+/// (null if not known), preceded by {"programs": [...]} if programs are given (docs/diagnostics.md).
 GSIM_API std::string findings_json(std::span<const Diagnostic> diagnostics,
                                    std::span<const CheckedProgram> programs = {});
 

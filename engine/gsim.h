@@ -176,7 +176,7 @@ const char* gsim_run_error(const gsim_run* run);
 size_t gsim_run_robot_count(const gsim_run* run);
 const char* gsim_run_robot_name(const gsim_run* run, size_t robot);
 /*
- *  Return for an axis: the letter, 0 after the last one; 1 if its values are deg; its position at the start.
+ *  Return for an axis: the letter, 0 past the last one; 1 if its values are deg; its position at the start.
  */
 char gsim_run_axis(const gsim_run* run, size_t robot, size_t axis);
 int32_t gsim_run_axis_is_rotary(const gsim_run* run, size_t robot, size_t axis);

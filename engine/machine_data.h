@@ -63,9 +63,9 @@ class GSIM_API MachineData {
         std::vector<Field> fields = {};
     };
 
-    /// Creates data without entries. `name`: of the file, for messages. `machine`: names the axes after X, Y
-    /// and Z, and has the ranges that suspects() checks; null: not known. It may be destroyed before the
-    /// data.
+    /// Creates data without entries. `name`: of the file, for messages. `machine`: names the axes that follow
+    /// X, Y and Z, and has the ranges that lint_warnings() checks; null: not known. It may be destroyed
+    /// before the data.
     explicit MachineData(std::string name, const Machine* machine = nullptr);
     /// Reads the data of a file; if the file does not exist: data without entries. Names are those of files
     /// alone.

@@ -19,7 +19,7 @@ namespace gsim::engine {
 
 /// The max number of axes of a machine.
 inline constexpr std::size_t kMaxAxes = 16;
-/// A value for each axis of the machine, in the order of Run::axes(): mm, or deg of rotary ones. Values after
+/// A value for each axis of the machine, in the order of Run::axes(): mm, or deg of rotary ones. Values past
 /// the last axis are 0.
 using AxisValues = std::array<double, kMaxAxes>;
 

@@ -79,7 +79,7 @@ class GSIM_API Run {
 
     /// Returns the names of the robots; one without a name if the run has no file of robots.
     const std::vector<std::string>& robots() const;
-    /// Valid after prepare().
+    /// Valid from prepare() on.
     const std::vector<Axis>& axes(std::size_t robot = 0) const;
     /// Returns the axis positions at the start.
     AxisValues home(std::size_t robot = 0) const;
@@ -108,7 +108,7 @@ class GSIM_API Run {
     /// Runs to the end, an alarm, a limit, or Request::cancel. Returns the report.
     tl::expected<Report, Error> go();
 
-    /// Returns the machine and its surroundings, after prepare().
+    /// Returns the machine and its surroundings. Requires prepare().
     tl::expected<Scene, Error> scene(std::size_t robot = 0) const;
     /// Returns names of the sources; SegmentColumns::file is an index into them.
     const std::vector<std::string>& files(std::size_t robot = 0) const;
@@ -118,7 +118,8 @@ class GSIM_API Run {
     const std::vector<Error>& errors() const;
     /// Returns the variables that a controller keeps from one run to the next, in the form of their file.
     tl::expected<std::string, Error> variables() const;
-    /// Returns the machine data after the program: the text that was read, with changes in their lines.
+    /// Returns the machine data as the program leaves it: the text that was read, with changes in their
+    /// lines.
     tl::expected<std::string, Error> machine_data() const;
 
     /// Returns the report of a program that prepare() has rejected, for readers of reports only.

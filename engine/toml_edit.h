@@ -11,14 +11,14 @@
 
 namespace gsim::engine {
 
-/// A TOML file (of a machine, a cell, a controller) after changes.
+/// A TOML file (of a machine, a cell, a controller) with changes applied.
 struct EditedToml {
     std::string text;
     std::string json;  ///< All that it says; dates, and numbers that are not finite, as texts.
 };
 
-/// Returns the text of a file after changes, all of them or none; a missing file counts as an empty one.
-/// Unchanged parts stay as they were written: comments, order, spacing, spellings of numbers, line ends.
+/// Returns the text of a file with changes applied, all of them or none; a missing file counts as an empty
+/// one. Unchanged parts stay as they were written: comments, order, spacing, spellings of numbers, line ends.
 /// `changes` are JSON, a list of {"op": "set", "at": ["axis", 0, "max_mm"], "value": 600}, {"op": "add",
 /// "at": ["object"], "value": {...}}, {"op": "remove", "at": [...]} and {"op": "move", "at": ["axis", 2],
 /// "to": 0}. Keys of new tables are inserted in the order of docs/machine-file.md and docs/cell-file.md. If

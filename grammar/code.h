@@ -53,12 +53,12 @@ std::string_view name(Group group);
 enum class AxisUse : std::uint8_t { none, motion, data };
 
 /// Support of a code in the library. `without_words`: only without words, because it switches off something
-/// that cannot be on; with words it is `later`.
+/// that cannot be on; with words it is `planned`.
 enum class Support : std::uint8_t { full, without_words, planned };
 
 /// Effect of cutter compensation on a code. It acts as usual, or is rejected, always or only while the tool
-/// runs next to the path (RS274/NGC permits a radius of 0). Or the tool is led out before it and in again
-/// after it (9/Series). Or the move before it ends first, whatever corner follows (RS274/NGC).
+/// runs next to the path (RS274/NGC permits a radius of 0). Or the tool is led out before it and then in
+/// again (9/Series). Or the move before it ends first, whatever corner follows (RS274/NGC).
 enum class Compensation : std::uint8_t {
     allowed,
     rejected,

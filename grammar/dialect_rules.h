@@ -36,7 +36,7 @@ struct BlockRules {
     bool data_excludes_motion = false;
     bool shared_words = false;          ///< A word belongs to each code of its block that accepts it.
     bool separate_calls = false;        ///< M98 may not share its block with other codes.
-    std::span<const Phase> order = {};  ///< Execution order; phases that are not listed come after.
+    std::span<const Phase> order = {};  ///< Execution order; phases that are not listed come last.
 };
 
 /// Description of a dialect: its properties and the rows of its tables. A derived dialect changes a copy of
@@ -53,7 +53,7 @@ struct DialectRules {
     bool has_block_jumps = false;       ///< GOTO, and M99 P, which continues at a block.
     bool active_comments = false;       ///< A comment may act: (MSG,text).
     bool first_program_counts = false;  ///< Of several programs with one number the first is called.
-    bool end_code_ends_text = false;    ///< The text after M2 and M30 is read only from the next O-word on.
+    bool end_code_ends_text = false;    ///< Text past M2 and M30 is read only from the next O-word on.
     bool offset_variables = false;      ///< Work offsets are stored in variables, too.
 
     std::vector<Code> codes = {};

@@ -1,11 +1,11 @@
-/* The grammar of G-code, over whole programs; a block is handed on as soon as it is complete.
+/* The grammar of G-code, over complete programs. The parser passes a block on as soon as it is complete.
  *
- * A letter can mean several things, and which one, only the rest of its block tells: in `X5 F200 G04` X is the time of
- * a dwell, in `X5 F200` an axis; P is a time, a program (M98) or a parameter. The grammar has one list for each kind
- * of block, all readings go on side by side, and those that do not fit the rest of the block die (GLR).
+ * A letter can mean several things, and only the remainder of its block decides: in `X5 F200 G04` X is the time of a
+ * dwell, in `X5 F200` an axis; P is a time, a program (M98) or a parameter. The grammar has one list for each kind of
+ * block. All readings continue in parallel, and those that do not fit the remainder of the block die (GLR).
  *
- * The parser knows only Parser (grammar/parser.h); an action is one call. Values are indices: they are copied while
- * readings are open, and actions wait until one reading is left.
+ * The parser knows only Parser (grammar/parser.h); an action is one call. Values are indices because they are copied
+ * while several readings are open. Actions wait until one reading is left.
  */
 %glr-parser
 %define api.prefix {gcode_}
@@ -18,9 +18,9 @@
  *   kinds of block. Such tokens are another X or U, P, a common word, an axis word, and what begins a setting of
  *   RS274/NGC (#1, #<name>, #[..).
  * Shift/reduce, 7 in all:
- *   1: ATAN[a] / [b], the angle of two sides, against a quotient of ATAN[a] by something else; what follows the '/' tells.
- *   6: #1, #<name> or # at the start of a block or behind THEN begins assignments (9/Series) or words with a setting among
- *      them (RS274/NGC); '=' and SET tell. */
+ *   1: ATAN[a] / [b], the angle of two sides, against a quotient of ATAN[a] by something else; the token after '/' decides.
+ *   6: #1, #<name> or # at the start of a block or after THEN begins assignments (9/Series) or words with a setting among
+ *      them (RS274/NGC); '=' and SET decide. */
 %expect 7
 %expect-rr 40
 
@@ -43,7 +43,7 @@ using gsim::lexer::Role;
 #define YYREALLOC gsim::lexer::checked_realloc
 #define YYMAXDEPTH 100000
 
-// A token that stands in another place than in the scanner's list has another number.
+// The numbers of the tokens depend on their order, so it must be that of the scanner's list.
 #define GSIM_TOKEN(token, in_grammar) static_assert(static_cast<int>(in_grammar) == gsim::lexer::token);
 #include "lexer/tokens.def"
 #undef GSIM_TOKEN
@@ -178,7 +178,7 @@ program_number: p                   { parser.set_role($1.index, Role::program); 
 common: OTHER | OTHER_LETTER value  { parser.set_expression($1.index, $2.index); }
   | reference SET any_value         { parser.add_assignment($1.index, $3.index); }
   ;
-/* RS274/NGC: settings stand among the words, with one value each. */
+/* RS274/NGC: settings are among the words, with one value each. */
 any_value: value                    { $$ = $1; }
   | NUMBER                          { $$ = {parser.add_number($1), $1.column}; }
   ;
@@ -188,7 +188,7 @@ axis_or_time: AXIS_OR_TIME          { $$ = $1; }
 p: P                                { $$ = $1; }
   | P_LETTER value                  { parser.set_expression($1.index, $2.index); $$ = $1; } ;
 
-/* Behind a letter an expression stands in brackets, or is a variable. Signs may follow each other; a number without or
+/* An expression after a letter is in brackets, or is a variable. Signs may follow each other; a number without or
  * with one sign is part of the letter's token. */
 value: reference                    { $$ = $1; }
   | '[' expression ']'              { $$ = $2; }
@@ -218,7 +218,7 @@ expression: product                 { $$ = $1; }
   | expression RELATION expression  { $$ = {parser.add_node(NodeKind::binary, token_operator($2), $1, $3), $1.column}; }
   ;
 
-/* ATAN[a] / [b] is one angle: where a product ends in an ATAN of one side, '/' '[' does not make it a quotient. */
+/* ATAN[a] / [b] is one angle: if a product ends in an ATAN of one side, '/' '[' does not make it a quotient. */
 product: plain_product              { $$ = $1; }
   | atan_product                    { $$ = $1; }
   ;

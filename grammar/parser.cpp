@@ -127,7 +127,7 @@ void Parser::syntax_error() {
     lexer::BlockText& text = *block_.text;
     if (text.bad) return;  // the scanner has said it all
     if (opens_word(lexer_.previous_token())) {
-        // A letter after a letter has opened a word of its own.
+        // The second of two letters has opened a word of its own.
         const std::size_t opened_words = opens_word(lexer_.last_token()) ? 1 : 0;
         const lexer::Word& word = text.words[lexer_.words().open_word_index() - opened_words];
         const bool keyword =
@@ -225,7 +225,7 @@ void Parser::set_flow_program() {
 
 namespace {
 
-/// Number of values after a keyword.
+/// Number of values that follow a keyword.
 struct FlowSyntax {
     std::size_t min;
     std::size_t max;

@@ -25,7 +25,7 @@ class Parser {
     /// Reads to the end of the source, or until too many errors occurred. Returns false if the parser itself
     /// gave up, which the scanner's limits should prevent; it is reported as an error.
     bool run();
-    /// Runs like run(), but ends after the block for which `done` is true.
+    /// Runs like run(), but ends with the block for which `done` is true.
     bool run_until(std::function<bool()> done);
 
     // Called by the actions of the grammar; columns and indices come from token values.

@@ -4,7 +4,7 @@ namespace gsim::lexer {
 
 void BlockErrors::fail(std::uint32_t column, DiagnosticKind kind, std::string_view message,
                        std::string_view hint) {
-    // Errors after the first one of a block are mostly its consequence.
+    // All but the first error of a block are mostly its consequence.
     if (!block_.bad) diagnostics_.error(block_.at(column), kind, message, hint);
     block_.bad = true;
 }

@@ -64,9 +64,9 @@ struct BlockText {
     std::vector<Word> words;
     std::vector<Slice> numbers;  ///< Numbers of expressions, loops and jumps.
     std::vector<Slice> comments;
-    Slice program;     ///< Name after O; without blanks and in lower case if it was in < >.
+    Slice program;     ///< Name that follows O; without blanks and in lower case if it was in < >.
     Slice print;       ///< Text of DPRNT, between its brackets.
-    std::string text;  ///< Numbers, names and comments, one after the other.
+    std::string text;  ///< Numbers, names and comments, in order.
     std::string raw;   ///< The block as in the source; kept on request only.
     BlockEnd end = BlockEnd::line;
     bool remark = false;      ///< The last comment follows ';', not between ( and ).
@@ -80,7 +80,7 @@ struct BlockText {
     /// Starts a comment, to which its parts are added.
     void start_comment() { comments.push_back({static_cast<std::uint32_t>(text.size()), 0}); }
     void add_to_comment(std::string_view fragment) { comments.back().size += add(fragment).size; }
-    /// Adds a part of the remark after ';', which is the last comment.
+    /// Adds a part of the remark that ';' begins, which is the last comment.
     void add_to_remark(std::string_view fragment) {
         if (!remark) start_comment();
         remark = true;

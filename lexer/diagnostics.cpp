@@ -30,8 +30,8 @@ std::string excerpt(const std::string& line, std::size_t column) {
                        caret);
 }
 
-/// Returns the end of the word that begins at `column`: a letter or a keyword with the number after it, or
-/// one character.
+/// Returns the end of the word that begins at `column`: a letter or a keyword with its number, or one
+/// character.
 std::uint32_t word_end(std::string_view line, std::uint32_t column) {
     const std::size_t begin = column > 0 ? column - 1 : 0;
     std::size_t end = begin;

@@ -25,8 +25,8 @@ class Diagnostics {
   public:
     using DiagnosticHandler = std::function<void(const text::Diagnostic&)>;
 
-    /// Passes each diagnostic to `take` as soon as it is known, with the line and a caret as its excerpt.
-    /// After `max_errors` errors, one more says so and full() is true.
+    /// Passes each diagnostic to `on_diagnostic` as soon as it is known, with the line and a caret as its
+    /// excerpt. Once there are `max_errors` errors, one more says so and full() is true.
     Diagnostics(const Source& source, std::size_t max_errors, DiagnosticHandler on_diagnostic)
         : source_(source), max_errors_(max_errors), handler_(std::move(on_diagnostic)) {}
 

@@ -25,7 +25,7 @@ class ExpressionNesting {
         if (brackets_ > 0) --brackets_;
         return !in_expression();
     }
-    /// Makes the remainder of the block an expression: after '=' or an O-word.
+    /// Makes the rest of the block, from '=' or an O-word on, an expression.
     void extend_to_block_end() { to_block_end_ = true; }
     bool in_brackets() const { return brackets_ > 0; }
     bool in_expression() const { return to_block_end_ || brackets_ > 0; }

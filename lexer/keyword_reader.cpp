@@ -18,7 +18,7 @@ bool is_name_character(char c) {
     return text::is_digit(c) || c == '_' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-/// Returns true for the start of an expression, a variable or a value after a keyword.
+/// Returns true for the start of an expression, a variable or the value of a keyword.
 bool is_value_start(char c) {
     return c == '[' || c == '#' || c == '=' || text::is_digit(c);
 }

@@ -10,7 +10,7 @@
 namespace gsim::lexer {
 
 /// Reader of the words with several letters: keywords of macro statements, names of the machine data, DPRNT.
-/// `text` is the token as in the source; the result is kBad after an error.
+/// `text` is the token as in the source; the result is kBad on an error.
 class KeywordReader {
   public:
     /// Makes a reader; all arguments must outlive it.
@@ -23,7 +23,7 @@ class KeywordReader {
     Token identifier(std::string_view text, std::size_t& kept, Value& value);
     /// Reads `DPRNT[..]`.
     Token print_text(std::string_view text, Value& value);
-    /// Returns true if the text after ';' begins a block: with a keyword or an alias.
+    /// Returns true if the text that follows ';' begins a block: with a keyword or an alias.
     bool begins_block(std::string_view text) const;
 
   private:

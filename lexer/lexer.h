@@ -36,7 +36,7 @@ class Lexer {
     Lexer(const Lexer&) = delete;
     Lexer& operator=(const Lexer&) = delete;
 
-    /// Returns the next token. After kEob, kTape and kEnd the block is complete.
+    /// Returns the next token. At kEob, kTape and kEnd the block is complete.
     Token next(Value& value);
     /// Starts the next block, because the parser is done with this one.
     void start_block();

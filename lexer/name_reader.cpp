@@ -135,7 +135,7 @@ Token NameReader::of_expression(std::string_view text, std::size_t& kept, Value&
     return reject(text);
 }
 
-/// Reports the text at the position of an expected name of an expression, or keyword after an O-word.
+/// Reports the text at the position of an expected name of an expression, or keyword of an O-word.
 Token NameReader::reject(std::string_view text) {
     const std::string name = text::upper(text);
     if (rules_.separate_assignments && !nesting_.in_brackets() && name.size() == 1) {

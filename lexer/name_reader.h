@@ -13,7 +13,7 @@
 namespace gsim::lexer {
 
 /// Reader of the tokens that are names: of programs, O-words, parameters, functions and operators. `text` is
-/// the token as in the source; the result is kBad after an error.
+/// the token as in the source; the result is kBad on an error.
 class NameReader {
   public:
     /// Makes a reader; all arguments must outlive it.
@@ -21,7 +21,7 @@ class NameReader {
                const TextRules& rules)
         : block_(block), errors_(errors), cursor_(cursor), nesting_(nesting), rules_(rules) {}
 
-    /// Reads the name of a program, after its O.
+    /// Reads the name of a program, which follows its O.
     Token program(std::string_view text);
     /// Reads `O100` or `O<name>` of RS274/NGC.
     Token flow_name(std::string_view text);
@@ -31,7 +31,7 @@ class NameReader {
     Token variable(std::string_view text, Value& value);
     /// Reports `#<` or `O<` without its '>'.
     Token unterminated();
-    /// Reads a function or operator of an expression, or a keyword after an O-word. Sets `kept` to the length
+    /// Reads a function or operator of an expression, or the keyword of an O-word. Sets `kept` to the length
     /// of the name if the next one is joined to it, because blanks have no meaning in RS274/NGC.
     Token of_expression(std::string_view text, std::size_t& kept, Value& value);
     /// Reads `**`.

@@ -15,7 +15,7 @@ struct ExpressionName {
     std::string_view meaning;
 };
 
-/// Keyword after an O-word of RS274/NGC.
+/// Keyword that follows an O-word of RS274/NGC.
 struct FlowName {
     std::string_view name;
     Flow flow;

@@ -14,7 +14,7 @@ namespace gsim::lexer {
 inline constexpr std::size_t kMaxNumberBytes = 24;
 
 /// Reader of the tokens that are numbers: of expressions, blocks, variables and levels of block delete.
-/// `text` is the token as in the source; the result is kBad after an error.
+/// `text` is the token as in the source; the result is kBad on an error.
 class NumberReader {
   public:
     /// Makes a reader; all arguments must outlive it.

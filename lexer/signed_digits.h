@@ -9,7 +9,7 @@
 
 namespace gsim::lexer {
 
-/// Returns the text after its leading blanks.
+/// Returns the text without its leading blanks.
 inline std::string_view skip_blanks(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
     return text;

@@ -40,13 +40,13 @@ class Source {
     void set_name(std::string name) { name_ = std::move(name); }
     std::uint64_t size() const { return size_; }
 
-    /// Sets a condition that ends reading in sequence early: `ends` is called at each read, and true holds
-    /// from then on.
+    /// Sets a condition that ends reading in sequence early: `should_stop` is called at each read, and true
+    /// holds from then on.
     void set_end_condition(std::function<bool()> should_stop) { ends_ = std::move(should_stop); }
     /// Returns true if that has happened: the file was not read completely.
     bool ended_early() const { return ended_early_; }
     /// Reads up to `capacity` bytes into `buffer`, in sequence; 0 at the end, and from then on. So a reader
-    /// of a file that grows, or is readable again after an error, finds no more after the supposed end.
+    /// of a file that grows, or is readable again after an error, finds no more past the supposed end.
     std::size_t read(char* buffer, std::size_t capacity);
     /// Starts again.
     void rewind();

@@ -33,7 +33,7 @@ struct TextRules {
     /// X, U and P mean what the other words of their block make of them: an axis, a dwell time, a program.
     bool ambiguous_words = false;
     bool brackets_in_comments = false;    ///< A comment may contain '('.
-    bool tape_marks_end_program = false;  ///< Text after the second % is not read.
+    bool tape_marks_end_program = false;  ///< Text past the second % is not read.
     bool tape_leader = false;             ///< Lines before the first % are the leader of a tape.
     /// Hint for a block that begins like a macro statement, if the dialect has none; empty: it has them.
     std::string_view missing_keywords_hint = {};

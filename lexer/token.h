@@ -16,7 +16,7 @@ enum Token : int {
 /// Statements of the 9/Series that write output.
 enum class Print : std::uint32_t { open, close, text };
 
-/// Keyword after an O-word of RS274/NGC.
+/// Keyword that follows an O-word of RS274/NGC.
 enum class Flow : std::uint32_t {
     program,  ///< No keyword: a numbered program begins.
     sub,

@@ -11,7 +11,7 @@ namespace gsim::lexer {
 inline constexpr std::size_t kMaxWords = 500;
 
 /// Reader of the words of a block, which it adds to the block. `text` is the token as in the source; the
-/// result is kBad after an error, kEob if the block is past its limit.
+/// result is kBad on an error, kEob if the block is past its limit.
 class WordReader {
   public:
     /// Makes a reader; all arguments must outlive it.

@@ -1,22 +1,22 @@
-"""The thesis's test part as a mesh: what a jet that goes the way of samples/wheel.path.json leaves of a plate, without its kerf."""
+"""Makes a mesh of the thesis's test part: the part of a plate that remains after a jet cuts samples/wheel.path.json, without its kerf."""
 
 import json
 import math
 
-THICKNESS = 6.35  # 1/4 in; estimate. At 9.5 the leaning walls of a pocket would cross each other
-CHORD = 0.05  # mm that walls may be off their arcs
-LONGEST_TURN_DEG = 3.0  # of the jet from one corner of the mesh to the next
+THICKNESS = 6.35  # 1/4 in; estimate. At 9.5 mm the inclined walls of a pocket would cross each other
+CHORD = 0.05  # mm, max deviation of walls from their arcs
+LONGEST_TURN_DEG = 3.0  # max turn of the jet between two vertices of the mesh
 
 
 def axis(rotary):
-    """The direction from the tip up the tool: tilted by C, then turned by B about the vertical (af5.toml)."""
+    """Returns the direction from the TCP up the tool: tilted by C, then turned by B about the vertical (af5.toml)."""
     turn, tilt = math.radians(rotary["B"]), math.radians(rotary["C"])
     return math.sin(tilt) * math.cos(turn), math.sin(tilt) * math.sin(turn), math.cos(tilt)
 
 
 def nearest_values(start, end):
-    """Rotary values that mean the same as those of an end, as near to a start as they come: the wheel's program turns B
-    needlessly by whole turns, which would cut the part up."""
+    """Returns rotary values that are equivalent to those of an end and nearest to a start: the wheel's program turns B by
+    needless full turns, which would cut the part up."""
     turn, tilt = end["B"], end["C"]
     if start["C"] * tilt < 0:
         turn, tilt = turn + 180, -tilt
@@ -24,7 +24,7 @@ def nearest_values(start, end):
 
 
 def arc(a, via, b):
-    """Centre and sweep of the arc from a over via to b, in the plane."""
+    """Returns centre and sweep of the arc from a over via to b, in the plane."""
     ax, ay, bx, by = via[0] - a[0], via[1] - a[1], b[0] - a[0], b[1] - a[1]
     cross = 2 * (ax * by - ay * bx)
     x = a[0] + (by * (ax * ax + ay * ay) - ay * (bx * bx + by * by)) / cross
@@ -34,7 +34,7 @@ def arc(a, via, b):
 
 
 def between(start, end):
-    """Points of the way from one target to the next, without its first, each with the direction of the tool."""
+    """Returns points of the path from one target to the next, without the first one, each with the direction of the tool."""
     a, b = start["position_mm"], end["position_mm"]
     first, last = start["rotary_deg"], nearest_values(start["rotary_deg"], end["rotary_deg"])
     leans = first["C"] or last["C"]
@@ -56,7 +56,7 @@ def between(start, end):
 
 
 def contours(path_file):
-    """Of each closed cut the upper and the lower contour, as lists of points."""
+    """Returns the upper and the lower contour of each closed cut, as lists of points."""
     with open(path_file, encoding="utf-8") as file:
         paths = {path["name"]: path["targets"] for path in json.load(file)["paths"]}
     for name in ("rim", "pockets", "bore"):
@@ -68,7 +68,7 @@ def contours(path_file):
             last = target
             if "waterjet_off" in target.get("actions", []):
                 while crossings([[place for place, _ in cut]]):
-                    cut.pop()  # circles are cut a little farther than round
+                    cut.pop()  # circles are cut a little more than a full turn
                 upper = [place for place, _ in cut]
                 lower = [(x - THICKNESS * tx / tz, y - THICKNESS * ty / tz) for (x, y), (tx, ty, tz) in cut]
                 yield upper, lower
@@ -83,14 +83,14 @@ def area(points):
 
 
 def crossings(loops):
-    """Edges of all contours that cross each other: there must be none."""
+    """Returns edges of all contours that cross each other: there must be none."""
     edges = [(p, q) for loop in loops for p, q in zip(loop, loop[1:] + loop[:1])]
     return [(e, f) for i, e in enumerate(edges) for f in edges[:i]
             if cross(*e, f[0]) * cross(*e, f[1]) < 0 and cross(*f, e[0]) * cross(*f, e[1]) < 0]
 
 
 def joined(outside, holes, points):
-    """One loop of indices: each hole is joined to what is there by a bridge from its rightmost point, the rightmost hole first."""
+    """Returns one loop of indices. A bridge from its rightmost point joins each hole to the loop, the rightmost hole first."""
     loop = list(outside)
     for hole in sorted(holes, key=lambda one: -max(points[i][0] for i in one)):
         start = max(range(len(hole)), key=lambda i: points[hole[i]][0])
@@ -113,7 +113,7 @@ def joined(outside, holes, points):
 
 
 def triangles(loop, points):
-    """The plane within a loop, counterclockwise, ear by ear."""
+    """Returns counterclockwise triangles of the area in a loop, by ear clipping."""
     loop = list(loop)
     while len(loop) > 3:
         for i in range(len(loop)):
@@ -132,7 +132,7 @@ def triangles(loop, points):
 
 
 def mesh(path_file, centre):
-    """The wheel as a Wavefront OBJ file, its origin in the middle of its upper side."""
+    """Returns the wheel as a Wavefront OBJ file, with its origin at the centre of its upper side."""
     loops = list(contours(path_file))
     if any(crossings([loop[side] for loop in loops]) for side in (0, 1)):
         raise ValueError("walls cross each other within the thickness")

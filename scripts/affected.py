@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Says what a change can break: what differs between the working tree and a commit, and what includes it.
+"""Prints what a change can break: the differences between the working tree and a commit, and the sources that include them.
 
 Usage: affected.py files SINCE      the files that changed, new ones included and deleted ones too
        affected.py changed SINCE    the C++ sources that changed
        affected.py sources SINCE    the C++ sources that changed, and those that include a header that has
-       affected.py headers SINCE    one C++ source for each header that changed: the header itself is looked at once
+       affected.py headers SINCE    one C++ source for each header that changed, so that the header is checked once
        affected.py tests SINCE      the folders of tests (tests/NAME) of the modules with changed sources, and of those that include them
        affected.py readers SINCE    the fuzz targets of the readers in the modules with changed sources
 
-SINCE `all`: everything. A source has not changed if only its folder, its names, its comments or its layout have (scripts/same_source.py)."""
+SINCE `all`: everything. A source has not changed if only its folder, names, comments or layout differ (scripts/same_source.py)."""
 
 import functools
 import re
@@ -21,7 +21,7 @@ import modules
 import same_source
 from same_source import INCLUDE
 
-# How sources are built is no source: one that a list gets has changed itself.
+# Build files are not sources: a source that is added to a list has changed itself.
 SOURCE = re.compile(r".*\.(cpp|h|def|l|y|lua)")
 
 
@@ -35,14 +35,14 @@ def tracked(*patterns):
 
 @functools.cache
 def names():
-    """All names in the sources of the working tree."""
+    """Returns all names in the sources of the working tree."""
     return frozenset(name for file in tracked("*.cpp", "*.h", "*.def", "*.l", "*.y", "*.lua", "*.c")
                      for name in same_source.names_of(Path(file).read_text(encoding="utf-8", errors="replace")))
 
 
 @functools.cache
 def renamings():
-    """The pairs of .ci/renames: names that got another one since the commit in .ci/accepted, although other things keep the old one."""
+    """Returns the pairs of .ci/renames: names that changed since the commit in .ci/accepted, although other things keep the old name."""
     path = Path(".ci/renames")
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     return frozenset(tuple(line.split()) for line in lines if line and not line.startswith("#"))
@@ -56,7 +56,7 @@ def is_same_source(since, before, after, old_names):
 
 
 def changed_files(since):
-    """All names that differ, deleted ones too."""
+    """Returns the names of all files that differ, deleted ones too."""
     if since == "all":
         return tracked()
     found = set(git("ls-files", "--others", "--exclude-standard"))
@@ -70,7 +70,7 @@ def changed_files(since):
 
 
 def includes():
-    """What each of our own C++ files includes of ours, by name."""
+    """Returns which of our files each of our C++ files includes, by name."""
     return {name: set(INCLUDE.findall(Path(name).read_text(encoding="utf-8"))) for name in tracked("*.cpp", "*.h")}
 
 
@@ -98,7 +98,7 @@ def folder(name):
 
 
 def module_of(name):
-    """The module of a source in the table of docs/architecture.md; its folder if it is in none, as a test is."""
+    """Returns the module of a source in the table of docs/architecture.md, or its folder if it is in none, such as a test."""
     return modules.module_of(name, module_names()) or folder(name)
 
 
@@ -109,7 +109,7 @@ def module_names():
 
 
 def headers_of(changed, graph):
-    """The headers by which others see the changed files: those that changed, those that include one, and those of the changed sources."""
+    """Returns the headers through which changes reach others: those that changed, that include one, or that belong to changed sources."""
     headers = {name for name in changed if not name.endswith(".cpp")} | {str(Path(name).with_suffix(".h")) for name in changed if name.endswith(".cpp")}
     while more := {name for name in including(headers, graph) if name.endswith(".h")} - headers:
         headers |= more
@@ -117,7 +117,7 @@ def headers_of(changed, graph):
 
 
 def affected_folders(since):
-    """Modules with changed sources, and those with a source that includes a header of one."""
+    """Returns modules with changed sources, and those with a source that includes a header of one."""
     graph = includes()
     changed = {name for name in changed_files(since) if SOURCE.fullmatch(name)}
     return {module_of(name) for name in changed | including(headers_of(changed, graph), graph)}
@@ -128,7 +128,7 @@ def test_folders():
 
 
 def tests_of(folders):
-    """Of a folder the tests are in the folder of the same name below tests/, or of the one above it; if there are none, those that include it."""
+    """Returns the tests of folders: those of the same name below tests/, or of the parent; if there are none, those that include it."""
     known = test_folders()
     found = set()
     uses = {test: {module_of(header) for name in tracked(f"{test}/*.cpp", f"{test}/*.h") for header in INCLUDE.findall(Path(name).read_text(encoding="utf-8"))}
@@ -140,7 +140,7 @@ def tests_of(folders):
 
 
 def readers_of(folders, is_all):
-    """Targets whose check includes a header of these folders, or is among them (tests/fuzz/targets.cpp names the check of each)."""
+    """Returns targets whose check includes a header of these folders, or is in them (tests/fuzz/targets.cpp names the check of each)."""
     targets = re.findall(r'Target\{"(\w+)", "\w+", (\w+)', Path("tests/fuzz/targets.cpp").read_text(encoding="utf-8"))
     found = []
     for check in tracked("tests/fuzz/check_*.cpp"):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The declarations of engine/gsim.h as cffi accepts them: without comments, directives, old names and the parts for C++.
+"""Prints the declarations of engine/gsim.h as cffi accepts them: without comments, directives, old names and the parts for C++.
 Usage: cdef.py GSIM_H"""
 
 import re

@@ -1,7 +1,7 @@
 #!/bin/bash
-# The checks of the project, stage by stage. Which stages there are depends on the tier and on the commit alone: not on a clock, the machine, or
-# how often it was asked. Closes with the tier, each stage with its seconds, what the tier leaves out, and "N passed, N failed".
-# Usage: scripts/check.sh fast      what lands: all stages; those that look at changes look at those since the commit in .ci/accepted
+# Runs the checks of the project, stage by stage. The stages depend only on the tier and on the commit: not on the time, the machine, or
+# earlier runs. Closes with the tier, each stage with its seconds, what the tier leaves out, and "N passed, N failed".
+# Usage: scripts/check.sh fast      before a merge: all stages; those that check changes check those since the commit in .ci/accepted
 #        scripts/check.sh full      everything, whatever has changed
 #        scripts/check.sh touched   the stages of `fast` that uncommitted and unpushed changes touch, cheapest first; stops at the first failure
 set -uo pipefail
@@ -12,12 +12,12 @@ passed=0
 failed=0
 report=()
 failures=()
-# What the failures printed, for the end: whoever shows this log may cut it in its middle.
+# The output of failures is repeated at the end, because a viewer of this log may cut its middle.
 evidence=$(mktemp)
 readonly evidence
 trap 'rm -f "$evidence"' EXIT
 
-# Since which commit changes are looked at; `all` where that commit is not known here.
+# Prints the commit since which changes are checked, or `all` if that commit is not known here.
 base_commit() {
     local base
     case $tier in
@@ -33,7 +33,7 @@ count() {
     failed=$((failed + $2))
 }
 
-# Of the log of a command: what each test that failed printed, of GoogleTest and of our own scripts.
+# Prints the output of each failed test in the log of a command, of GoogleTest and of our own scripts.
 failed_tests() {
     {
         awk '/^\[ RUN      \]/ { kept = "" }
@@ -44,7 +44,7 @@ failed_tests() {
     } | tail -n 150
 }
 
-# Runs a command that closes with "N passed, N failed", or that passes or fails as a whole.
+# Runs a command and counts its closing "N passed, N failed"; without that line the command counts as one check.
 run() {
     local log code closing='^([0-9]+) passed, ([0-9]+) failed$'
     log=$(mktemp)
@@ -67,7 +67,7 @@ is_touched() {
     [[ $tier != touched ]] || grep -qE "$1" <<<"$changed"
 }
 
-# stage NAME FILES COMMAND...: the command repeats it. FILES: a pattern of the names of the files that touch it.
+# stage NAME FILES COMMAND...: runs a stage; its command repeats it. FILES: a pattern of the names of the files that touch it.
 stage() {
     local name=$1 files=$2 began_s=$SECONDS result=passed
     shift 2
@@ -81,13 +81,13 @@ stage() {
     [[ $tier != touched ]] || finish
 }
 
-# Of the rest of the tools some cannot be had everywhere.
+# Some of the tools below are not available on every system.
 install_tools() {
     scripts/setup.sh test lint || return
     scripts/setup.sh calibrate || echo "no Ceres here, so none of the tests of gsim-calibrate"
     scripts/setup.sh step || echo "no OpenCASCADE here, so none of the tests with STEP and IGES files"
     scripts/setup.sh slurm
-    export SLURM_NEEDED=1 # without a Slurm its test fails here
+    export SLURM_NEEDED=1 # its test fails here if there is no Slurm
 }
 
 left_out() {

@@ -20,7 +20,7 @@ def commands_of(build):
 
 
 def compile_cpu_s(entry):
-    """CPU seconds of one compilation, None if it fails. The object file is thrown away."""
+    """Returns the CPU seconds of one compilation, None if it fails. The object file is discarded."""
     words = shlex.split(entry["command"])
     words[words.index("-o") + 1] = os.devnull
     before = resource.getrusage(resource.RUSAGE_CHILDREN)

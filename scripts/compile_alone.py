@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Looks whether sources compile by themselves: reads their names from standard input, asks the compiler for errors alone, by the
+"""Checks that sources compile by themselves: reads their names from standard input and runs the compiler only for errors, with the
 commands of BUILD/compile_commands.json. Usage: compile_alone.py BUILD JOBS"""
 
 import json
@@ -26,7 +26,7 @@ def errors(entry):
 def main():
     build, jobs = sys.argv[1], int(sys.argv[2])
     known = commands_of(build)
-    # A source that nothing builds here (a program that needs a library that is not installed) has no command.
+    # A source that is not built here (because its library is not installed) has no command.
     names = [name for name in sys.stdin.read().split() if name in known]
     with ThreadPoolExecutor(jobs) as pool:
         found = [text for text in pool.map(lambda name: errors(known[name]), names) if text]

@@ -1,8 +1,8 @@
 #!/bin/bash
-# Which lines and branches of the product the tests run, by module: runs the tests of a folder that the preset `coverage` built and
-# reads what they counted. Prints a table, writes BUILD-FOLDER/report/index.html, and fails below 95 % of lines.
-# Usage: scripts/coverage.sh test BUILD-FOLDER [ctest options]   forgets earlier counts, then runs the tests
-#        scripts/coverage.sh report BUILD-FOLDER                 the table of what has been run since
+# Measures which lines and branches of the product the tests run, by module. Runs the tests of a folder that the preset `coverage`
+# built and reads their counts. Prints a table, writes BUILD-FOLDER/report/index.html, and fails below 95 % of lines.
+# Usage: scripts/coverage.sh test BUILD-FOLDER [ctest options]   deletes earlier counts, then runs the tests
+#        scripts/coverage.sh report BUILD-FOLDER                 prints the table of all runs since then
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
@@ -10,7 +10,7 @@ readonly least_percent=95
 # The engine, the studio, batches and calibration are not counted.
 readonly modules='base|geometry|lexer|grammar|codegen|controller|motion|machine|collision|toolpath|runtime|analysis|cam|cli|apps'
 
-# Recordings that are not part of the project would count for what its own tests do not do.
+# Recordings that are not part of the project are left out: they would run lines that its own tests do not run.
 run_tests() {
     local build=$1
     shift
@@ -20,7 +20,7 @@ run_tests() {
         scripts/test.sh "$build" "$@"
 }
 
-# Generated code counts by the lines of gcode.l and gcode.y that are in it; files that are embedded do not.
+# Generated code counts by the lines of gcode.l and gcode.y in it; embedded files do not count.
 report() {
     local build=$1
     mkdir -p "$build/report"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The table of docs/coverage.md: covered lines and branches of each module, from gcovr's summary, and the lines of lua_lib/ from what the
-tests noted (tests/coverage). Ends with 1 where fewer lines are covered than --least says, in C++ or in Lua.
+"""Prints the table of docs/coverage.md: covered lines and branches of each module, from gcovr's summary, and the lines of lua_lib/ that
+the tests recorded (tests/coverage). Returns status 1 if fewer lines are covered than --least, in C++ or in Lua.
 Usage: coverage_table.py --least PERCENT [--missing] SUMMARY LUA-LINES"""
 
 import argparse
@@ -27,8 +27,8 @@ def modules_of(summary):
 
 
 def lines_with_code(file):
-    """Lua's compiler tells which lines have instructions. What it adds at the beginning of a chunk, and at the
-    end of a function that returns before, is no line that is run."""
+    """Returns the lines with instructions, from Lua's compiler. Lines that it adds at the beginning of a chunk, and at the
+    end of a function that returns earlier, are never run, so they do not count."""
     listed = subprocess.run(["luac5.4", "-l", "-p", file], capture_output=True, text=True, check=True).stdout
     numbers = {int(number) for number in re.findall(r"^\t\d+\t\[(\d+)\]\t(?!VARARGPREP)", listed, re.MULTILINE)}
     texts = file.read_text(encoding="utf-8").splitlines()

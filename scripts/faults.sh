@@ -1,6 +1,6 @@
 #!/bin/bash
-# Prints the tables of docs/faults.md: lets everything fail that can (GSIM_TEST_ALL=1 in the environment) or a sample of
-# it, and adds up over the jobs what came of it. Fails where a test does.
+# Prints the tables of docs/faults.md: injects all possible faults (GSIM_TEST_ALL=1 in the environment) or a sample of
+# them, and adds up the results of the jobs. Fails if a test fails.
 # Usage: scripts/faults.sh BUILD-FOLDER
 set -euo pipefail
 

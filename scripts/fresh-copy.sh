@@ -1,5 +1,5 @@
 #!/bin/bash
-# Copies the project into a folder, as a clone with today's changes would be: what git tracks or would track.
+# Copies the project into a folder, like a clone with the uncommitted changes: all files that git tracks or would track.
 # Usage: scripts/fresh-copy.sh FOLDER, which must not exist yet
 set -euo pipefail
 

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Fuzzes the readers that changed since a commit (scripts/affected.py), each for FUZZ_SECONDS (6), under sanitizers. One seed, so that a change
-# is judged by what it changed; new ground is for long runs by hand (make fuzz).
+# Fuzzes the readers that changed since a commit (scripts/affected.py), each for FUZZ_SECONDS (6), under sanitizers. The seed is fixed, so
+# that a result depends only on the change; long runs by hand (make fuzz) search new inputs.
 # Usage: scripts/fuzz-changed.sh SINCE | all
 set -uo pipefail
 

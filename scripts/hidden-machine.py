@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Makes recordings to try gsim-calibrate on: part programs, a machine whose figures nobody tells, and the times that it takes for them, with
-noise and by a coarse clock, as a shop would note them.
+"""Makes recordings to test gsim-calibrate: part programs, a machine with hidden parameters, and the times that it takes for them, with
+noise and a coarse clock, as a shop would note them.
 Usage: hidden-machine.py GSIM FOLDER [SEED]
-In FOLDER: programs/*.ngc, runs.csv (program,time_s), start.toml (the machine as it is known: speeds and ranges, guesses for the rest),
-and hidden.toml, which is for comparing afterwards."""
+In FOLDER: programs/*.ngc, runs.csv (program,time_s), start.toml (the machine as it is known: speeds and ranges, guesses for all others),
+and hidden.toml, for the comparison afterwards."""
 
 import json
 import math
@@ -28,13 +28,13 @@ direction = "{letter.lower()}"
 
 
 def machine(name, acceleration, rules):
-    """A machine file of three axes."""
+    """Returns a machine file of three axes."""
     head = f'[machine]\nname = "{name}"\ninverse = "gantry"\n\n[controller]\n{rules}\n\n[process]\nkind = "spindle"\non = ["M3"]\noff = ["M5"]\n'
     return head + AXES.format(acceleration=acceleration)
 
 
 def pocket(rng):
-    """Straight passes, forth and back."""
+    """Straight passes, back and forth."""
     feed, width, step = rng.choice([1500, 3000, 5000]), rng.uniform(40, 150), rng.uniform(2, 6)
     lines = ["G0 X0 Y0 Z5", "G1 Z-2 F600"]
     for row in range(rng.randint(6, 14)):
@@ -43,7 +43,7 @@ def pocket(rng):
 
 
 def curve(rng):
-    """A freeform line of short pieces."""
+    """A freeform curve of short lines."""
     feed, lines = rng.choice([2000, 4000, 6000]), ["G0 X0 Y100 Z5", "G1 Z-1 F600"]
     waves, height = rng.uniform(1, 4), rng.uniform(10, 40)
     for i in range(1, 161):
@@ -72,7 +72,7 @@ def slots(rng):
 
 
 def recorded_s(gsim, program, machine_file, rng):
-    """How long the hidden machine takes, as its operator notes it."""
+    """Returns the time of the hidden machine, as its operator notes it."""
     ran = subprocess.run([gsim, "run", "--dialect", "rs274ngc", "--machine", machine_file, "--json", program], capture_output=True, text=True, check=True)
     time_s = json.loads(ran.stdout)["cycle_time_s"] * rng.gauss(1, NOISE)
     return round(time_s / CLOCK_S) * CLOCK_S

@@ -1,7 +1,7 @@
 #!/bin/bash
-# From a fresh copy of the project: make run, make install into an empty folder, delete the copy with its build, and run what
-# is installed. Closes with "N passed, N failed".
-# Usage: scripts/install-test.sh [COPY]; COPY is a copy that is built already (scripts/reproducible.sh COPY), and is deleted
+# In a fresh copy of the project: make run, make install into an empty folder, delete the copy with its build, and run the
+# installed programs. Closes with "N passed, N failed".
+# Usage: scripts/install-test.sh [COPY]; COPY is a copy that is already built (scripts/reproducible.sh COPY); it is deleted
 set -uo pipefail
 
 copy=${1:-}

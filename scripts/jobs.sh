@@ -1,5 +1,5 @@
 #!/bin/bash
-# Prints how many compilers to run at once: one for each core, but no more than memory has room for.
+# Prints the number of compilers to run at once: one for each core, but no more than fit into memory.
 set -euo pipefail
 
 readonly kib_per_job=$((2304 * 1024))

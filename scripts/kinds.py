@@ -2,7 +2,7 @@
 """Writes studio/src/run/kinds.ts from base/kinds/*.def, so that the Studio's page has the engine's numbers and words.
 
 Usage: kinds.py            renews the file
-       kinds.py --check    fails if it is not what the lists say"""
+       kinds.py --check    fails if it differs from the lists"""
 
 import re
 import sys
@@ -14,13 +14,13 @@ ROW = re.compile(r"^GSIM_\w+\((.*)\)$", re.MULTILINE)
 
 
 def rows(name):
-    """The arguments of each row of a list, as texts."""
+    """Returns the arguments of each row of a list, as texts."""
     text = (ROOT / "base/kinds" / f"{name}.def").read_text(encoding="utf-8")
     return [[cell.strip().strip('"') for cell in row.split(",")] for row in ROW.findall(text)]
 
 
 def by_number(name):
-    """The same by their numbers, which count from 0 without a gap."""
+    """Returns the rows in order of their numbers, which count from 0 without a gap."""
     found = sorted(rows(name), key=lambda row: int(row[1]))
     numbers = [int(row[1]) for row in found]
     if numbers != list(range(len(found))):

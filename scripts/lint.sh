@@ -1,11 +1,11 @@
 #!/bin/bash
-# Looks at our own sources without running them.
-# Usage: scripts/lint.sh format         is everything formatted as .clang-format says, are tests named NamedLikeThis, is nothing printed by fmt::print()?
+# Checks our sources without running them.
+# Usage: scripts/lint.sh format         is everything formatted by .clang-format, are tests NamedLikeThis, does nothing call fmt::print()?
 #        scripts/lint.sh tidy [SINCE]   clang-tidy (.clang-tidy) over all sources of the programs, in batches: most of the time goes into
-#                                       headers, which are looked at once for each batch. SINCE, a commit: over the batches with sources that
-#                                       have changed since, and one with each header that has
-#        scripts/lint.sh alone SINCE    does each source that has changed since that commit compile by itself? Batches hide a missing #include
-# SINCE `all` is all of everything.
+#                                       headers, which are checked once for each batch. SINCE, a commit: over the batches with sources that
+#                                       changed since, and one batch for each header that changed
+#        scripts/lint.sh alone SINCE    does each source that changed since that commit compile by itself? Batches hide a missing #include
+# SINCE `all` checks everything.
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
@@ -23,23 +23,23 @@ format() {
     return $code
 }
 
-# GoogleTest makes names of its own with '_'.
+# GoogleTest reserves '_' in names of tests for its generated names.
 test_names() {
     ! git grep -nE '^(TEST|TEST_F|TEST_P|TYPED_TEST)\(\w+, *(\w*_|[a-z])' -- '*.cpp' '*.h'
 }
 
-# It throws where it cannot write, and a log on a full disk would end the program: apps::print() and apps::tell() do not.
+# fmt::print() throws if it cannot write, so a log on a full disk would end the program; apps::print() does not throw.
 printing() {
     ! git grep -nF 'fmt::print(' -- '*.cpp' '*.h' ':!tests' ':!bench' ':!samples'
 }
 
-# The generated headers, and compile_commands.json, in a folder. Usage: prepare FOLDER [options of cmake]
+# Makes the generated headers, and compile_commands.json, in a folder. Usage: prepare FOLDER [options of cmake]
 prepare() {
     cmake --preset lint -B "$@" >/dev/null
     cmake --build "$1" --target generated >/dev/null
 }
 
-# The batches and sources in which a commit's changes are, as patterns of whole names. A header is looked at in one of them.
+# Prints the batches and sources with changes since a commit, as patterns of full names. A header is checked in one of them.
 batches_since() {
     local source batches
     { scripts/affected.py changed "$1"; scripts/affected.py headers "$1"; } | sed -nE "\\#^($modules)/#p" | while read -r source; do
@@ -48,7 +48,7 @@ batches_since() {
     done | sort -u | sed -E 's#^build-lint/#'"$PWD"'/build-lint/#; s#^([^/].*)#'"$PWD"'/\1#; s/[.]/\\./g; s/^/^/; s/$/$/'
 }
 
-# Batches include sources. g++'s parameters are not clang's.
+# Batches include sources. clang does not know the parameters of g++, so that warning is off.
 tidy() {
     local since=${1:-} log own="^$PWD/($modules)/" files
     prepare build-lint

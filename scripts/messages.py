@@ -3,7 +3,7 @@
 
 All other tests ask for codes and values, so a change of wording changes this table alone, and is reviewed there as text.
 
-Usage: messages.py           prints what differs from the table, and fails if something does
+Usage: messages.py           prints the differences from the table, and fails if there are any
        messages.py --renew   writes the table"""
 
 import difflib
@@ -25,7 +25,7 @@ def is_message(text):
 
 
 def messages_of(text, language):
-    """The messages of a source; adjacent literals of C++ are one text."""
+    """Returns the messages of a source; adjacent literals of C++ are one text."""
     run, end = "", None
     for token in TOKENS[language].finditer(text):
         if not token["text"] or token["text"].startswith(("R\"", "[[")):

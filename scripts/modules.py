@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Holds each #include against the table of modules in docs/architecture.md: what a module includes stands in its row, and what stands there is
-included somewhere. Modules are in the order in which the table has them, from the ground up: a module uses none below its own row. Top-level folders do not
-include each other, and no folder of sources has more than 50 files.
+"""Compares each #include with the table of modules in docs/architecture.md: the row of a module lists exactly the modules that it includes.
+The table is in order of dependency, from the base up: a module uses none below its own row. Top-level folders do not include each other,
+and no folder of sources has more than 50 files.
 Usage: modules.py             checks the table
        modules.py --print     the rows as the sources have them
        modules.py --folders   the top-level folders of the table, as a regular expression: 'base|lexer|...'"""
@@ -15,13 +15,13 @@ HERE = Path(__file__).resolve().parent.parent
 PAGE = "docs/architecture.md"
 HEADING = "## Modules"
 LARGEST_FOLDER = 50
-FREE = ("tests/", "bench/", "samples/", "docs/")  # may look into every module
+FREE = ("tests/", "bench/", "samples/", "docs/")  # may include every module
 EVERYBODYS = ("base/bits.h", "base/error.h", "base/plane.h", "base/units.h")
 
-# Through it all include nlohmann-json.
+# All sources include nlohmann-json through this header.
 JSON_HEADER = "base/text/json.h"
 
-# Who makes a header that is no file of ours, by how its name begins or ends.
+# The module of a generated header, by the beginning or end of its name.
 EXTERNAL = (
     (r"fmt/.*", "fmt"), (r"fast_float/.*", "fast_float"), (r"Eigen/.*", "Eigen"), (r"tl/.*", "tl-expected"), (r"toml\+\+/.*", "toml++"), (r"nlohmann/.*", "nlohmann-json"),
     (r"lua\.hpp", "Lua"), (r"pugixml\.hpp", "pugixml"), (r"CLI/.*", "CLI11"), (r"ceres/.*", "Ceres"), (r".*\.hxx", "OpenCASCADE"),
@@ -30,7 +30,7 @@ EXTERNAL = (
 
 
 def rows(page):
-    """The modules and what they may use, as the table has them."""
+    """Returns the modules of the table, with those that they may use."""
     text = page.split(HEADING + "\n", 1)[1].split("\n## ", 1)[0]
     table = {}
     for line in text.splitlines():
@@ -57,7 +57,7 @@ def sources(root):
 
 
 def uses(root, modules):
-    """For each module what it includes, with the first place where it does; and sources that are in no module."""
+    """Returns the modules that each module includes, with the first source location; and sources that are in no module."""
     used, homeless = defaultdict(dict), []
     for path in sources(root):
         file = path.relative_to(root).as_posix()
@@ -94,7 +94,7 @@ def faults(table, used, homeless):
 
 
 def top_level_circles(used):
-    """Pairs of top-level folders that include each other, with a file of each direction."""
+    """Returns pairs of top-level folders that include each other, with a file for each direction."""
     uses_of = defaultdict(dict)
     for module, included in used.items():
         for use, place in included.items():
@@ -107,7 +107,7 @@ def top_level_circles(used):
 
 
 def large_folders(root):
-    """Folders with more files than a reader can survey; data of tests and samples aside."""
+    """Returns folders with too many files for a reader, except data of tests and samples."""
     for folder in sorted({file.parent for file in sources(root)} | {file.parent for file in (root / "lua_lib").rglob("*.lua")}):
         count = sum(1 for file in folder.iterdir() if file.is_file())
         if count > LARGEST_FOLDER:

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Tries packages where nothing of gsim, and nothing to build it with, has ever been: the Debian packages in an empty root of this
-# Debian, the archive in this one and in a newer one, in a folder with an odd name. The roots are made of packages from wherever
-# this system's apt has its own from. Closes with "N passed, N failed".
+# Tests packages on systems that have never had gsim or its build tools: the Debian packages in an empty root of this
+# Debian, the archive in this one and in a newer one, in a folder with an odd name. The roots are made from the mirror of
+# this system's apt. Closes with "N passed, N failed".
 # Usage: scripts/package-test.sh PACKAGES
 set -uo pipefail
 
@@ -15,7 +15,7 @@ readonly odd="an odd \"földer\"/of \$gsim"
 touch "$results"
 export LC_ALL=C.UTF-8
 
-# Shows what a command says, and keeps it to be counted; what fails in silence is a failure, too.
+# Prints the output of a command and stores it for the count; a command that fails without output is a failure, too.
 counted() {
     local code
     "$@" 2>&1 | tee -a "$results"
@@ -27,12 +27,12 @@ unpack_archive() {
     mkdir -p "$1/$odd" && tar -xzf "$packages"/gsim-*.tar.gz --strip-components=1 -C "$1/$odd"
 }
 
-# The largest of the versions that the archive asks of a library, such as GLIBC.
+# Prints the highest version that the archive requires of a library, such as GLIBC.
 asked_version() {
     objdump -T "$scratch/$odd"/bin/gsim "$scratch/$odd"/bin/gsim-batch "$scratch/$odd"/libexec/gsim/gsim-serve "$scratch/$odd"/libexec/gsim/gsim-rcs-host "$scratch/$odd"/lib/gsim/*.so* | grep -o "\b$1_[0-9.]*" | sort -uV | tail -n 1
 }
 
-# at_most NAME VERSION: what Ubuntu 24.04 and Debian 13 have is newer than Debian 12's, which this is held against.
+# at_most NAME VERSION: compares with the version of Debian 12; those of Ubuntu 24.04 and Debian 13 are newer.
 at_most() {
     local asked
     asked=$(asked_version "$1")
@@ -43,7 +43,7 @@ at_most() {
     fi
 }
 
-# All libraries of the archive come with it, but for those that each system has.
+# Checks that the archive contains all its libraries, except those that each system has.
 own_libraries() {
     local foreign
     foreign=$(ldd "$scratch/$odd"/bin/gsim "$scratch/$odd"/bin/gsim-batch "$scratch/$odd"/libexec/gsim/gsim-serve "$scratch/$odd"/libexec/gsim/gsim-rcs-host "$scratch/$odd"/lib/gsim/*.so* | awk '$2 == "=>" { print $1, $0 }' |
@@ -56,7 +56,7 @@ archive_here() {
         tests/install/check.sh "$scratch/$odd"
 }
 
-# Where apt has this Debian's packages from.
+# Prints the address from which apt gets the packages of this Debian.
 mirror() {
     # shellcheck disable=SC2016  # apt's own fields
     apt-get indextargets --format '$(ORIGIN) $(CODENAME) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' 2>/dev/null |

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Makes the packages of a release build, into its folder packages: Debian packages, and an archive that runs wherever it is
-# unpacked. The same sources give the same bytes, wherever and whenever they are built (scripts/reproducible.sh).
+# Makes the packages of a release build, in its folder packages: Debian packages, and an archive that runs in any folder.
+# The same sources give the same bytes at any time and in any folder (scripts/reproducible.sh).
 # Usage: scripts/package.sh BUILD
 set -euo pipefail
 
@@ -15,7 +15,7 @@ readonly version name
 SOURCE_DATE_EPOCH=$(dpkg-parsechangelog --show-field Timestamp)
 export SOURCE_DATE_EPOCH
 
-# Quiet when it works; all of its words when it does not.
+# Runs a command without its output; prints all of it if the command fails.
 quietly() {
     local log=$work/log
     "$@" >"$log" 2>&1 || {
@@ -24,7 +24,7 @@ quietly() {
     }
 }
 
-# They are made in a copy of debian/, so that what debhelper leaves behind stays below build/.
+# The packages are made in a copy of debian/, so that debhelper's temporary files stay below build/.
 debian_packages() {
     local profiles=()
     [[ -e $build/bin/gsim-solid ]] || profiles+=(pkg.gsim.nosolid)
@@ -38,23 +38,23 @@ debian_packages() {
     TMPDIR=$work quietly lintian --fail-on error,warning "$packages"/*.deb
 }
 
-# The shared libraries of a program that no system has to have: all but those of the compiler and of the C library.
+# Prints the shared libraries of a program that a system may lack: all except those of the compiler and of the C library.
 libraries() {
     ldd "$@" | awk '$2 == "=>" { print $3 }' | sort -u | grep -Ev '/(libc|libm|libstdc\+\+|libgcc_s)\.so\.'
 }
 
-# The name of the package that a file came with.
+# Prints the name of the package of a file.
 package_of() {
     dpkg --search "*/${1##*/}" | sed -n '1s/:.*//p'
 }
 
-# Others' code in the archive comes with its terms: the libraries beside the programs, and those that are headers alone.
+# The archive has the licences of the code of others in it: the shared libraries, and those that are only headers.
 licences() {
     local package
     mkdir "$1"
     {
         for library in "${@:2}"; do package_of "$library"; done
-        # Which version of it is there is in its name.
+        # The name of the package has its version.
         dpkg --search /usr/include/boost/version.hpp | sed 's/:.*//'
         printf '%s\n' libcli11-dev libeigen3-dev libexpected-dev libfast-float-dev libtomlplusplus-dev nlohmann-json3-dev
     } | sort -u | while read -r package; do

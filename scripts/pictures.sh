@@ -1,5 +1,5 @@
 #!/bin/bash
-# Renews the pictures of the documentation: each is what a command on its page draws.
+# Renews the pictures of the documentation: a command on its page draws each of them.
 # Usage: scripts/pictures.sh BUILD-FOLDER
 set -euo pipefail
 
@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 readonly scratch=$1/pictures
 readonly largest=200000  # bytes
 
-# page, what its command draws, the picture
+# page, output of its command, the picture
 readonly pictures="
 README.md                   path.png     wheel.png
 docs/first-cell.md          part.png     first-cell.png

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Builds the packages twice, from different folders, with another umask, time zone, language and home, and compares them byte by
-# byte. The second build is from a fresh copy of the project; it takes two compilations of it, unless build/ is up to date.
+# Builds the packages twice, in different folders, with another umask, time zone, language and home folder, and compares them
+# byte by byte. The second build is made from a fresh copy of the project, so two compilations are needed unless build/ is up to date.
 # Usage: scripts/reproducible.sh [FOLDER]; the second copy and its build stay in FOLDER
 set -euo pipefail
 
@@ -13,7 +13,7 @@ else
 fi
 cd "$(dirname "$0")/.."
 
-# Names the files in two packages that are not the same.
+# Prints the names of the files that differ in two packages.
 show_difference() {
     local folder
     folder=$(mktemp -d)

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The first contact: translates the sample program, shows the Lua, simulates it.
+# The first example: translates the sample program, shows the Lua, simulates it.
 # Usage: scripts/run-wheel.sh BUILD-FOLDER
 set -euo pipefail
 

@@ -1,11 +1,11 @@
-"""Compares two versions of a source (C++, flex, Bison, Lua) for what a compiler makes of them: names, comments and layout may differ.
+"""Compares two versions of a source (C++, flex, Bison, Lua) as a compiler sees them: names, comments and layout may differ.
 
-Messages may have other words: two texts of several words each are equal if they have the same values in the same order. A file that only got other
-words of messages compiles by itself as before; tests and the table of messages (scripts/messages.py) check the words.
+The words of messages may differ: two texts of several words each are equal if they have the same values in the same order. A file in which
+only words of messages changed compiles as before; tests and the table of messages (scripts/messages.py) check the words.
 
 Two versions are the same if one becomes the other by renaming: each name of the first has one name in the second, no two names share one, and everything else
 is equal, token by token. Renamings that a list declares need not be one-to-one, because they follow scopes, which this module does not know.
-A renamed source is built and tested as every other one; only checks that cost hours do not repeat for it."""
+A renamed source is built and tested as every other one; only checks that take hours are not repeated for it."""
 
 import re
 
@@ -21,23 +21,23 @@ LUA_TOKENS = re.compile(
     r"""|(?P<number>\.?\d[\w.]*)|(?P<name>[A-Za-z_]\w*)|\S""", re.DOTALL)
 NO_CODE = re.compile(rf"//[^\n]*|/\*.*?\*/|{STRING}|^--[^\n]*", re.DOTALL | re.MULTILINE)
 NAME = re.compile(r"[A-Za-z_]\w*")
-# What a message takes from its caller, and what ends or begins lines in it.
+# The values in a message, and the ends of its lines.
 VALUES = re.compile(r"\{\{|\}\}|\{[^{}]*\}|%[-+0#]*\d*(?:\.\d+)?[a-zA-Z%]|\\n")
 MESSAGE = re.compile(r"[A-Za-z']+[,;:]? [A-Za-z']+")
 
 
 def names_of(text):
-    """The names in a source, without the words of its comments and texts."""
+    """Returns the names in a source, without the words of its comments and texts."""
     return NAME.findall(NO_CODE.sub(" ", text))
 
 
 def words_removed(text):
-    """A message without its words; other texts as they are."""
+    """Returns a message without its words, and any other text unchanged."""
     return '"message ' + " ".join(VALUES.findall(text)) + '"' if MESSAGE.search(text) else text
 
 
 def tokens_of(text, is_lua):
-    """Pairs (is a name, text of the token)."""
+    """Returns pairs (is a name, text of the token)."""
     for token in (LUA_TOKENS if is_lua else C_TOKENS).finditer(text):
         kind = token.lastgroup
         if kind == "comment":
@@ -53,13 +53,13 @@ def tokens_of(text, is_lua):
 
 
 def essence(text, is_lua, old_headers):
-    """The headers that a source includes, by the names that they had before they moved (a formatter sorts them), and its other tokens."""
+    """Returns the headers that a source includes, by their names before a move (a formatter sorts them), and its other tokens."""
     headers = sorted(old_headers.get(header, header) for header in INCLUDE.findall(text))
     return headers, list(tokens_of(INCLUDE.sub("", text), is_lua))
 
 
 def changed_names(before, after):
-    """The pairs of different names at one position of both lists; None if anything but names differs."""
+    """Returns the pairs of different names at the same position of both lists, or None if anything else differs."""
     if len(before) != len(after):
         return None
     pairs = set()
@@ -72,13 +72,14 @@ def changed_names(before, after):
 
 
 def is_one_to_one(pairs, kept):
-    """True if no name has two new ones, and no two names have one, those among them that the source keeps."""
+    """Returns True if no name has two new ones, no two names have the same new one, and no new name is one that the source keeps."""
     return len({old for old, _ in pairs}) == len({new for _, new in pairs} - kept) == len(pairs)
 
 
 def is_same(before, after, is_lua, old_headers, names, renamings):
-    """True if two texts of a source differ in names, comments, layout and moved headers only. `names`: all of the project by now. An old name that is still
-    among them was not renamed, but another one is used in its place. `renamings`: pairs that were renamed all the same, because a name had several meanings."""
+    """Returns True if two texts of a source differ only in names, comments, layout and moved headers. `names`: all current names of the
+    project. An old name that is still among them was not renamed, but replaced by another name. `renamings`: pairs that were renamed
+    nevertheless, because the name had several meanings."""
     (headers, tokens), (new_headers, new_tokens) = essence(before, is_lua, {}), essence(after, is_lua, old_headers)
     pairs = changed_names(tokens, new_tokens)
     if headers != new_headers or pairs is None:

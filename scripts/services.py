@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints docs/services.md, the services of a controller, from the list of services; or checks it.
+"""Prints docs/services.md, the services of a controller, from the list of services, or checks that file.
 Usage: scripts/services.py controller/module/rcs_services.def [docs/services.md]"""
 
 import re

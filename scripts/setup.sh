@@ -1,8 +1,9 @@
 #!/bin/bash
-# Installs the Debian packages that are missing, if any is. Groups: build (programs; always), test, coverage, lint,
-# clang (compiles for sanitizers and fuzzing), wasm (WebAssembly: 800 MB; a node that is installed serves as well as Debian's), studio (the page: node and npm where there are none, since Debian's npm does not go together with a
-# newer node), browser (Chromium, in which the page is tried), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
-# without it, too), calibrate (Ceres, for gsim-calibrate; nothing else needs it), site (the documentation as pages), slurm (a cluster of one machine, for the test of gsim-batch on one), package (makes packages and tries them).
+# Installs the Debian packages that are missing. Groups: build (programs; always), test, coverage, lint,
+# clang (compiles for sanitizers and fuzzing), wasm (WebAssembly: 800 MB; an installed node of any origin is used), studio (the page:
+# node and npm if there are none, because Debian's npm conflicts with a newer node), browser (Chromium, to test the page),
+# step (OpenCASCADE reads STEP and IGES files; the programs can be built without it), calibrate (Ceres; only gsim-calibrate needs it),
+# site (the documentation as pages), slurm (a cluster of one machine, to test gsim-batch), package (makes packages and tests them).
 # Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [wasm] [studio] [browser] [calibrate] [site] [slurm] [package]
 set -euo pipefail
 
@@ -60,7 +61,7 @@ if ((EUID != 0)); then
 fi
 
 echo "setup: installing ${missing[*]}"
-# Quiet when it works; apt's own words when it does not.
+# Prints apt's output only if it fails.
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y "$@" >"$log" 2>&1 || { cat "$log" >&2; return 1; }; }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Lists our own C++ files, one a line: what git tracks or would track, so never a generated file.
+# Lists our C++ files, one a line: those that git tracks or would track, so never a generated file.
 set -euo pipefail
 
 cd "$(dirname "$0")/.."

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Tries the page of the studio: what of it needs no browser, its closed forms against gsim-run --trajectory, and the page itself in a browser without a window.
-# Where there is no page, no node or no Chromium it says so and skips (status 77); with --required that is a failure.
+# Tests the page of the studio: its functions without a browser, its closed forms against gsim-run --trajectory, and the page itself in a
+# headless browser. If there is no page, no node or no Chromium, it prints so and skips (status 77); with --required that is a failure.
 # Closes with "N passed, N failed".
 # Usage: scripts/studio-test.sh BUILD [--required]
 set -uo pipefail

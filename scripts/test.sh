@@ -1,6 +1,6 @@
 #!/bin/bash
 # Runs the tests of a build folder and closes with one line of plain numbers: "N passed, N failed".
-# A test that skips itself, having said why (recordings that are not at hand), is neither: a line before counts those.
+# A test that skips itself with a reason (missing recordings) is neither: an earlier line counts those.
 # Usage: scripts/test.sh BUILD-FOLDER [ctest options]
 set -uo pipefail
 

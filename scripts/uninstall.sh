@@ -1,5 +1,5 @@
 #!/bin/bash
-# Removes what `make install` installed, and those of our folders that are empty then. DESTDIR has to be what it was.
+# Removes the files that `make install` installed, and our folders that are then empty. DESTDIR must be the same as then.
 # Usage: scripts/uninstall.sh MANIFEST, which lists the installed files
 set -euo pipefail
 
@@ -15,7 +15,7 @@ for file in "${files[@]}"; do
     rm -f -- "${DESTDIR:-}$file"
 done
 
-# Ours are the folders called gsim and those below; bin, share/man and their like may be others', even if they are empty.
+# Our folders are those called gsim and those below; bin, share/man and others may belong to the system, even if they are empty.
 for file in "${files[@]}"; do
     folder=$(dirname "$file")
     while [[ $folder == */gsim || $folder == */gsim/* ]]; do

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Compares the programs of a native build with those of WebAssembly under node, byte for byte: translations and reports of the golden programs
-and of the samples, on all sample machines and under all sample controllers. The figures of paths of drawings, which are written to the last
-bit, are compared to 12 digits: the two C libraries round sin() or atan2() otherwise there. Tells each that differs and what is left out, and why; closes with
-"N passed, N failed". A file of the samples that no run reads is a failure, and so are a name of one that is not there, an expected output of a
-program that is not compared, and a run that natively is refused: two refusals are the same whatever the programs do.
+and of the samples, on all sample machines and with all sample controllers. The numbers in paths of drawings, which are written to the last
+bit, are compared to 12 digits, because the two C libraries round sin() or atan2() differently. Prints each difference, and what is left
+out and why; closes with "N passed, N failed". These are failures, too: a file of the samples that no run reads, a name of a missing
+file, an expected output of a program that is not compared, and a run that fails natively (two failures are equal whatever the programs do).
 Usage: wasm-compare.py [NATIVE [WASM]] (build/bin/gsim, build-wasm/bin/gsim.js)"""
 
 import math
@@ -21,11 +21,11 @@ HERE = Path(__file__).resolve().parent.parent
 GOLDEN = HERE / "tests/golden"
 SAMPLES = HERE / "samples"
 SECONDS = 120
-OUTPUT = "a file of this run"  # emscripten's node cannot give a stream of its own for standard output
-REFUSED = 2  # the status of options that are wrong and of files that are not there
+OUTPUT = "a file of this run"  # with emscripten node has no separate stream for standard output
+REFUSED = 2  # the status after wrong options and missing files
 
 NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
-TOLERANCE = 1e-12  # of a figure, and of 1 (mm, degrees) near 0
+TOLERANCE = 1e-12  # relative; near 0 absolute (mm, degrees)
 
 # Samples that no run of gsim reads.
 LEFT_OUT_SAMPLES = {
@@ -40,7 +40,7 @@ LEFT_OUT_SAMPLES = {
     **{f"engine/{file.name}": "is the output of an example" for file in (SAMPLES / "engine").glob("*.out")},
 }
 
-# What takes a process or a loaded module, which a guest has not.
+# Options that need a process or a loaded module, which the WebAssembly build does not have.
 LEFT_OUT = {
     "gsim run --rcs MODULE": "loads a shared library (tests/controller, which no golden program or sample names)",
     "gsim run --plot FILE": "starts gnuplot; what it is given to draw are the moves of the reports that are compared",
@@ -50,7 +50,7 @@ LEFT_OUT = {
 
 @dataclass(frozen=True)
 class Run:
-    """What a program is told, in a folder; the files of that folder among the arguments are what it reads, and those behind them."""
+    """The arguments of a program, in a folder. Its inputs are each Input among the arguments and further_inputs."""
 
     folder: Path
     arguments: tuple
@@ -65,7 +65,7 @@ class Run:
 
 
 class Input(str):
-    """The name of a file that a run reads, seen from the run's folder."""
+    """The name of a file that a run reads, relative to the run's folder."""
 
 
 def files(folder, *patterns):
@@ -73,7 +73,7 @@ def files(folder, *patterns):
 
 
 def programs(folder):
-    """Each part program of a folder, and its language."""
+    """Returns each part program of a folder, with its language."""
     dialects = {"nc": "ab9", "ngc": "rs274ngc", "gcode": "klipper"}
     for name in files(folder, "*.nc", "*.ngc", "*.gcode"):
         yield name, dialects[name.rsplit(".", 1)[1]]
@@ -88,13 +88,13 @@ def golden_runs():
 
 
 def bodies_left_out(program, machine):
-    """The wheel's letters are not those of this machine, whose head goes into its tank; when bodies touch is known to 1e-6 mm of their
-    way, and not to the last digit of the time."""
+    """Returns the option to leave bodies out in one run: the wheel's letters are not those of this machine, so its head moves into its
+    tank. The time of a contact is known only to 1e-6 mm of the path, so the two reports could differ in the last digit."""
     return ("--no-collisions",) if (program, machine) == ("wheel.nc", "machines/af5-table-letters.toml") else ()
 
 
 def is_variant(machine):
-    """Machines that differ from another one in figures of their controller alone, as a controller was recorded on them."""
+    """Returns True for machines that differ from another one only in values of their controller, as recorded."""
     return re.match(r"machines/(grblhal|klipper|linuxcnc-2\.10)-[a-z0-9]+-.", str(machine)) is not None
 
 
@@ -102,7 +102,7 @@ def program_runs():
     for program, dialect in programs(SAMPLES):
         yield Run(SAMPLES, ("translate", program, "--dialect", dialect, "--output", OUTPUT))
         for machine in files(SAMPLES, "machines/*.toml"):
-            # One program is enough for a variant: the one in words of its own.
+            # One program is enough for a variant: the one with its special words.
             if is_variant(machine) and dialect != "rs274ngc":
                 continue
             yield Run(SAMPLES, ("run", program, "--dialect", dialect, "--json", "--machine", machine, *bodies_left_out(program, machine)))
@@ -117,7 +117,7 @@ def program_runs():
 
 
 def controller_runs(scratch):
-    """Controllers are named by machine files: one machine with each of them."""
+    """Returns runs of one machine with each controller, because a machine file names its controller."""
     machine = (SAMPLES / "machines/router3.toml").read_text(encoding="utf-8")
     for controller in files(SAMPLES, "controllers/*.toml"):
         own = scratch / Path(controller).name
@@ -143,7 +143,7 @@ def data_runs():
 
 
 def missing_inputs(runs):
-    """Sentences on samples that no run reads, on inputs that are not there and on expected outputs of no program."""
+    """Returns messages about samples that no run reads, missing inputs, and expected outputs of no program."""
     read = set().union(*(run.inputs() for run in runs), (SAMPLES / name for name in LEFT_OUT_SAMPLES))
     for file in sorted(set(file for file in SAMPLES.rglob("*") if file.is_file()) - read):
         yield f"{file.relative_to(HERE)}: no run reads it, and LEFT_OUT_SAMPLES does not say why"
@@ -156,7 +156,7 @@ def missing_inputs(runs):
 
 
 def answer(command, folder):
-    """Status, what is printed and told, and the output file."""
+    """Returns the status, standard output, standard error, and the output file."""
     with tempfile.TemporaryDirectory() as own:
         output = Path(own) / "output"
         command = [str(output) if word == OUTPUT else word for word in command]
@@ -178,7 +178,7 @@ def first_difference(a, b):
 
 
 def nearly_same(a, b):
-    """The same text, and figures that differ by rounding alone."""
+    """Returns True if the texts are equal except for numbers that differ by rounding."""
     if NUMBER.sub(b"#", a) != NUMBER.sub(b"#", b):
         return False
     pairs = zip(NUMBER.findall(a), NUMBER.findall(b))
@@ -190,7 +190,7 @@ def same(a, b, to_last_bits):
 
 
 def faults(native, wasm, to_last_bits):
-    """What is wrong with the two answers to one run; nothing where they are the same."""
+    """Returns the differences between the two results of one run; none if they are equal."""
     if not isinstance(native[0], int) or native[0] < 0 or native[0] >= REFUSED:
         last = native[2].decode(errors="replace").strip().splitlines()[-1:]
         return [f"natively it is no run: {native[0]} {' '.join(last)}"]
@@ -199,7 +199,7 @@ def faults(native, wasm, to_last_bits):
 
 
 def compare(runs, native, wasm):
-    """How many runs differ; each is told."""
+    """Returns how many runs differ, and prints each of them."""
 
     def both(run):
         answers = (answer([*program, *run.arguments], run.folder) for program in ([native], ["node", wasm]))

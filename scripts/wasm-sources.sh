@@ -1,6 +1,6 @@
 #!/bin/bash
-# Fetches what WebAssembly is compiled of beside our own sources: Debian's sources of Lua and pugixml, from where this system's packages come
-# from, signed and with Debian's patches, into build-wasm-sources/. Nothing of the system is changed.
+# Fetches the other sources for WebAssembly, Debian's sources of Lua and pugixml, into build-wasm-sources/. They come from the mirror of
+# this system's apt, signed and with Debian's patches. The system itself is not changed.
 # Usage: scripts/wasm-sources.sh
 set -euo pipefail
 
@@ -22,7 +22,7 @@ apt() {
         -o Dir::Cache="$work/cache" "$@"
 }
 cd "$work"
-# Others' lists may have no sources: only what is asked for must be there.
+# Other package lists may have no sources: only the requested sources must exist.
 apt update >"$work/log" 2>&1 || true
 for package in lua5.4 pugixml; do
     apt source --download-only "$package" >>"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }

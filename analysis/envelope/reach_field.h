@@ -27,8 +27,8 @@ struct DistanceGrid {
                    static_cast<std::size_t>(count.x()) +
                static_cast<std::size_t>(x);
     }
-    /// Interpolates linearly between nodes in each direction; outside, returns the distance from `holds`,
-    /// which is not larger.
+    /// Interpolates linearly between nodes in each direction; outside, returns the distance from
+    /// `set_bounds`, which is not larger.
     double at(const Vector3d& point) const;
     /// Returns the max error of at() for distances within the grid's reach. A distance changes by at most the
     /// travel, which from the corners of a cube to any point in it is at most half its diagonal.

@@ -104,7 +104,7 @@ class Builder {
         }
     }
 
-    // Returns the point at which the edge between two nodes passes the level; the same point for all callers.
+    // Returns the point where the edge between two nodes passes the level; the same point for all callers.
     std::uint32_t cut(const Node& a, const Node& b) {
         if (a.index > b.index) return cut(b, a);
         const std::uint64_t edge = (static_cast<std::uint64_t>(a.index) << 32U) | b.index;

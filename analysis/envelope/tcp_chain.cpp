@@ -22,8 +22,8 @@ Eigen::Isometry3d motion(const TcpJoint& joint, double value) {
     return pose;
 }
 
-// Returns true if the set that joints after a revolute one make of the TCP lies on its axis: it turns
-// nothing.
+// Returns true if a revolute joint turns nothing, because all TCP positions that later joints reach lie on
+// its axis.
 bool has_no_effect(const TcpJoint& joint, const std::vector<TcpJoint>& later_joints, const Vector3d& start) {
     if (joint.is_slide()) return false;
     const bool are_all_parallel_slides =

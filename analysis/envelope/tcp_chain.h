@@ -44,7 +44,7 @@ struct TcpChain {
 /// Returns the chain of a machine with joints that move over the box; those without a range there are fixed.
 TcpChain tcp_chain(const machine::Machine& machine, const machine::JointBox& box);
 
-/// Returns the chain of two joints, first < second in `whole`, with all others at home.
+/// Returns the chain of two joints, first < second in `full_chain`, with all others at home.
 TcpChain pair_chain(const TcpChain& full_chain, std::size_t first, std::size_t second,
                     const rrs::JointPos& home);
 

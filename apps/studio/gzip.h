@@ -15,7 +15,7 @@ class Gzip {
     Gzip(const Gzip&) = delete;
     Gzip& operator=(const Gzip&) = delete;
 
-    /// Appends available output to `packed`.
+    /// Appends available output to `compressed`.
     void add(std::string_view bytes, std::string& compressed);
     /// Appends the remainder.
     void end(std::string& compressed);

@@ -167,7 +167,7 @@ void write_message(std::string_view bytes) {
     std::fflush(stdout);
 }
 
-/// Storage of complete segment messages in the file that is open as descriptor 3. After the first segments
+/// Storage of complete segment messages in the file that is open as descriptor 3. Past the first segments,
 /// the page gets messages without the data that it can request later.
 class SegmentArchive {
   public:

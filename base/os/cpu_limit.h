@@ -7,14 +7,14 @@
 
 namespace gsim::os {
 
-/// A limit of the processor time that one thread spends after this object is created. The clock is the
+/// A limit of the processor time that one thread spends from the creation of this object on. The clock is the
 /// thread's own: time of other runs in the process does not count, nor waiting of the run (for a full disk, a
 /// busy machine). Only that thread may query it.
 class CpuLimit {
   public:
     explicit CpuLimit(double seconds);
 
-    /// Makes the limit count as reached as soon as `asked` is true, which any thread may set.
+    /// Makes the limit count as reached as soon as `stop_flag` is true, which any thread may set.
     void set_cancel_flag(std::shared_ptr<const std::atomic<bool>> stop_flag) {
         cancel_flag_ = std::move(stop_flag);
     }
@@ -41,12 +41,12 @@ class CpuLimit {
     std::shared_ptr<const std::atomic<bool>> cancel_flag_ = nullptr;
 };
 
-/// A limit of the processor time of the full process, for work that does not query it. After it is used up, a
+/// A limit of the processor time of the full process, for work that does not query it. Once it is used up, a
 /// message is written to standard error. Temporary files are removed as at any signal that ends the program,
 /// and the process ends with `status`. One at a time, for the lifetime of this object.
 class ProcessCpuLimit {
   public:
-    /// `sentence` must outlive this object and end in a newline.
+    /// `message` must outlive this object and end in a newline.
     ProcessCpuLimit(double seconds, const char* message, int status);
     ProcessCpuLimit(const ProcessCpuLimit&) = delete;
     ProcessCpuLimit& operator=(const ProcessCpuLimit&) = delete;

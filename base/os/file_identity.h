@@ -12,9 +12,9 @@
 namespace gsim::os {
 
 /// Identity of a file, by whatever name. Equal files have equal identities. So have two files that had one
-/// name when they were queried, one after the other: a file that another program put in place in between
-/// counts as the same. A replaced file keeps its number as long as an identity of it lives; another file may
-/// get it only then.
+/// name when they were queried in turn: a file that another program put in place in between counts as the
+/// same. A replaced file keeps its number as long as an identity of it lives; another file may get it only
+/// then.
 struct FileIdentity {
     dev_t device = 0;
     ino_t inode = 0;

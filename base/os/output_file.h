@@ -48,8 +48,7 @@ class OutputFile {
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile() = default;
 
-    /// Writes a part. The first error is kept for commit(); text after it is dropped, and the result is
-    /// false.
+    /// Writes a part. The first error is kept for commit(); later text is dropped, and the result is false.
     bool write(std::string_view text);
     /// Returns the stream for code that must write to one. It is open until commit(), which detects an error,
     /// but not its reason.
@@ -74,7 +73,7 @@ class OutputFile {
     std::string display_name_;    // as the caller gave it, in quotes
     std::filesystem::path path_;  // symbolic links followed
     TemporaryName temporary_;     // empty when written directly, and after commit()
-    FileHandle stream_;           // null after it is settled
+    FileHandle stream_;           // null once it is settled
     ExistingFilePolicy existing_policy_ = ExistingFilePolicy::replace;
     int error_ = 0;  // errno of the first failure
 };

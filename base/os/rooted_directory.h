@@ -49,7 +49,7 @@ class RootedDirectory {
     /// Opens the folder. The error is a message that names it.
     static Result<RootedDirectory> open(const std::filesystem::path& folder);
 
-    /// Returns up to `most` files of up to `most` folders, sorted by name. Sets `cut` if more files exist, or
+    /// Returns up to `max` files of up to `max` folders, sorted by name. Sets `cut` if more files exist, or
     /// folders deeper than 32. Then the files of upper folders are included, and of one folder the first
     /// ones.
     std::vector<FileEntry> list(std::size_t max, bool& cut) const;

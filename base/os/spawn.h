@@ -18,7 +18,7 @@ class SpawnActions {
     SpawnActions& operator=(const SpawnActions&) = delete;
     ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
 
-    /// Makes `descriptor` in the child what `ours` is here.
+    /// Makes `descriptor` in the child what `inherited` is here.
     void redirect(int inherited, int descriptor) {
         ::posix_spawn_file_actions_adddup2(&actions_, inherited, descriptor);
     }

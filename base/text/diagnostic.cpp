@@ -10,7 +10,7 @@ namespace gsim::text {
 
 namespace {
 
-/// Returns an integer at the end of `text` after a colon, and removes both from `text`.
+/// Returns an integer that follows a colon at the end of `text`, and removes both from `text`.
 std::optional<std::uint32_t> consume_last_number(std::string_view& text) {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string_view::npos || colon + 1 == text.size()) return std::nullopt;

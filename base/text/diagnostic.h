@@ -23,7 +23,7 @@ struct Diagnostic {
     std::string file = {};  ///< Name as given; empty if no file applies.
     std::uint32_t line = 0;
     std::uint32_t column = 0;
-    std::uint32_t end_column = 0;  ///< Column of the first byte after the text meant, on the same line.
+    std::uint32_t end_column = 0;  ///< Column of the first byte past the text meant, on the same line.
     std::string text = {};         ///< Message, without its full stop.
     std::string hint = {};         ///< Suggested fix; empty if none is known.
     std::string excerpt = {};      ///< The line and a caret below, for people; complete lines or empty.

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxTomlBrackets = 32;
 /// Max number of parts that a key or a table's name may have, joined by dots.
 inline constexpr std::size_t kMaxTomlKeyParts = 32;
 
-/// Returns an error with the first position at which a TOML text exceeds these bounds; its column is in
+/// Returns an error with the first position where a TOML text exceeds these bounds; its column is in
 /// characters. The text is read in one pass without a stack. toml++ parses and destroys tables by recursion,
 /// so that a deep text would exhaust its stack.
 std::optional<Error> find_toml_bounds_error(std::string_view toml_text);

@@ -162,7 +162,7 @@ Result<void> TomlEditor::merge_lists(const TomlPath& path, const ordered_json& v
     return {};
 }
 
-// Sorts the elements of a list by their places and removes those without a place.
+// Sorts the elements of a list by their new indices and removes those without one.
 Result<void> TomlEditor::arrange(const TomlPath& list, std::vector<std::optional<std::size_t>> new_indices) {
     const bool keeps_any =
         std::any_of(new_indices.begin(), new_indices.end(), [](const auto& each) { return each; });

@@ -18,7 +18,7 @@ namespace gsim::base {
 /// A change that cannot be made returns a message and leaves the text unchanged.
 class TomlEditor {
   public:
-    /// Reads a document. The error gives the position at which the text is not TOML: "file:line:column:
+    /// Reads a document. The error gives the position where the text is not TOML: "file:line:column:
     /// message".
     static Result<TomlEditor> read(std::string toml_text, std::string_view file_name);
 
@@ -30,7 +30,7 @@ class TomlEditor {
     /// Adds an element at the end of a list; the first one makes the list.
     Result<void> add(const TomlPath& list, const nlohmann::ordered_json& value);
     /// Removes a key, a table or an element, with everything below it and the comments directly above or
-    /// after it. A comment above several keys or elements stays.
+    /// following it. A comment above several keys or elements stays.
     Result<void> remove(const TomlPath& path);
     /// Moves an element to the position `to` in its list, with its comments.
     Result<void> move(const TomlPath& path, std::size_t to);

@@ -34,7 +34,7 @@ struct TomlItem {
     std::size_t begin = 0;
     std::size_t key_end = 0;
     TomlValueSpan value;
-    std::size_t end = 0;  ///< End after its comma, if it has one.
+    std::size_t end = 0;  ///< End, past its comma if it has one.
 };
 
 /// The header of a table, or a key with its value on its own lines.
@@ -56,7 +56,7 @@ struct TomlStatement {
 struct TomlLayout {
     static constexpr std::size_t kNoHeader = static_cast<std::size_t>(-1);
 
-    std::size_t begin = 0;  ///< After the UTF-8 byte order mark, if present.
+    std::size_t begin = 0;  ///< Past the UTF-8 byte order mark, if present.
     std::vector<TomlStatement> statements;
 };
 
@@ -66,7 +66,7 @@ std::optional<TomlLayout> parse_layout(std::string_view toml_text);
 /// True if a text consists only of blanks and ends of lines.
 bool is_blank(std::string_view text);
 
-/// Returns the value to which `steps` leads from `spot`; null if it does not exist.
+/// Returns the value to which `steps` leads from `value_span`; null if it does not exist.
 const TomlValueSpan* find_nested_value(const TomlValueSpan& value_span, const TomlPath& steps);
 
 }  // namespace gsim::base

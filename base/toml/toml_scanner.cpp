@@ -16,7 +16,7 @@ constexpr std::string_view kWhitespace = " \t";
 constexpr std::string_view kPlainEnd = ",]}#\r\n";
 constexpr std::string_view kBareKeyEnd = " \t.=]\r\n#\"'";
 
-/// Meaning of a letter after a backslash, except for the codes.
+/// Meaning of a letter that follows a backslash, except for the codes.
 struct Escape {
     char letter;
     char meaning;

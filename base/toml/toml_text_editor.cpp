@@ -101,7 +101,7 @@ void TomlTextEditor::replace(const TomlPath& path, const nlohmann::ordered_json&
     if (value.is_string() && old != TomlNumberFormat::other &&
         is_nonfinite_name(value.get_ref<const std::string&>()))
         written = value.get<std::string>();
-    // A comment after it stays in its column.
+    // A trailing comment stays in its column.
     const std::size_t gap_end = std::min(text_.find_first_not_of(' ', bytes.end), text_.size());
     const std::size_t gap = gap_end - bytes.end;
     TomlRange replaced = bytes;

@@ -29,7 +29,7 @@ class TomlTextEditor {
     explicit TomlTextEditor(std::string text);
 
     const std::string& text() const { return text_; }
-    /// Returns the value at `path` if it is after a key or in a list. Null: it is a table on its own lines,
+    /// Returns the value at `path` if it follows a key or is in a list. Null: it is a table on its own lines,
     /// or does not exist. Valid up to the next change.
     const TomlValueSpan* find(const TomlPath& path) const;
     /// True if anything in the text makes this table or list.
@@ -39,7 +39,7 @@ class TomlTextEditor {
     void replace(const TomlPath& path, const nlohmann::ordered_json& value);
     /// Adds a key that does not exist to a table that does.
     void add_key(const TomlPath& table, const std::string& key, const nlohmann::ordered_json& value);
-    /// Adds an element to a list that find() finds, after `index` elements.
+    /// Adds an element to a list that find() finds, at the position `index`.
     void add_element(const TomlPath& list, std::size_t index, const nlohmann::ordered_json& value);
     /// Adds a table to an array of tables.
     void add_entry(const TomlPath& list, const nlohmann::ordered_json& table);

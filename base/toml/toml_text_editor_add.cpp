@@ -85,7 +85,7 @@ bool TomlTextEditor::add_inline(const TomlPath& table, const std::string& key, c
     return false;
 }
 
-// Adds a line after the last line of its table, in the style of that line.
+// Adds a line that follows the last one of its table, in the style of that one.
 void TomlTextEditor::add_line(std::size_t header, const TomlPath& table, const std::string& key,
                               const ordered_json& value) {
     const TomlStatement* last = nullptr;
@@ -176,7 +176,7 @@ std::string TomlTextEditor::table_lines(const ordered_json& table, std::string_v
     return lines;
 }
 
-// Adds complete lines between others, with a blank line on both sides if `apart`.
+// Adds complete lines between others, with a blank line on both sides if `separated`.
 void TomlTextEditor::add_block(std::size_t at, std::string block, bool separated) {
     const std::string_view before = between(layout_.begin, at);
     const bool open = !before.empty() && !before.ends_with('\n');  // the last line of the file has no end

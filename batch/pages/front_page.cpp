@@ -47,7 +47,7 @@ std::string summary_text(const NightlyReport& report) {
          {"Total time", seconds(time_s) + " s"}});
 }
 
-/// Lists of changes, one after the other.
+/// Lists of changes, in order.
 class ChangesText {
   public:
     ChangesText(const NightlyReport& report, const Changes& changes, const ReasonsByCase& reasons_by_case)
@@ -88,7 +88,7 @@ class ChangesText {
         return text + fmt::format("<li>{} unchanged</li>\n</ul>\n", changes_.same);
     }
 
-    /// Returns a list with its heading: `cells` returns the cells after program and machine.
+    /// Returns a list with its heading: `cells` returns the cells that follow program and machine.
     template <typename Cells>
     std::string list(const std::vector<std::size_t>& positions, std::string_view anchor,
                      std::string_view title, std::vector<std::string_view> columns,

@@ -39,7 +39,7 @@ class Views {
     friend Result<void> remove_views(const std::string& folder, const Views* current);
 };
 
-/// Removes pages of runs that were not requested from `kept`, if it is given.
+/// Removes the pages that are not among those of `current`; null: all pages.
 Result<void> remove_views(const std::string& folder, const Views* current);
 
 }  // namespace gsim::batch

@@ -38,7 +38,7 @@ bool is_pattern(const std::string& name) {
     return name.find_first_of("*?[") != std::string::npos;
 }
 
-/// Returns the files below a folder for which `wanted` is true. Hidden folders and files are skipped, as are
+/// Returns the files below a folder for which `accepts` is true. Hidden folders and files are skipped, as are
 /// unreadable ones.
 Result<Names> find_files(const fs::path& folder, const auto& accepts) {
     std::error_code error;

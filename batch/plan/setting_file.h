@@ -17,7 +17,7 @@ namespace gsim::batch {
 /// Returns a plain value as JSON; empty if it is not plain.
 std::optional<nlohmann::json> scalar_value(const toml::node& node);
 
-/// Returns an integer. A value that is not an integer between `least` and `most` is an error.
+/// Returns an integer. A value that is not an integer between `min` and `max` is an error.
 std::uint64_t read_integer(base::TomlSection& section, std::string_view key, std::uint64_t min,
                            std::uint64_t max, std::uint64_t fallback);
 

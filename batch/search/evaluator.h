@@ -15,7 +15,7 @@ struct EvaluatedBatch {
     bool complete = false;  ///< Else it was cut off.
 };
 
-/// Function that runs all jobs of a plan into the results, on any computer; `anew`: existing runs are
+/// Function that runs all jobs of a plan into the results, on any computer; `rerun`: existing runs are
 /// repeated.
 using Evaluate = std::function<Result<EvaluatedBatch>(const Plan& plan, bool rerun)>;
 

@@ -113,7 +113,7 @@ Result<std::optional<std::uint64_t>> read_minutes(std::string_view text) {
         if (colon == std::string_view::npos) break;
         remaining_text.remove_prefix(colon + 1);
     }
-    // After days come hours. Otherwise minutes are alone or in front of seconds, hours in front of both.
+    // Hours follow days. Otherwise minutes are alone or in front of seconds, hours in front of both.
     if (dash != std::string_view::npos) parts.resize(3, 0);
     const std::uint64_t hours = parts.size() == 3 ? parts[0] : 0;
     const std::uint64_t minutes = parts.size() == 3 ? parts[1] : parts[0];

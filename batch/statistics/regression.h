@@ -18,7 +18,7 @@ struct Sensitivity {
     double explained = 0;  ///< Share of the variance, 0 to 1.
 };
 
-/// Computes the sensitivity. `settings`: a list for each, as long as `figures`. Constant settings are left
+/// Computes the sensitivity. `settings`: a list for each, as long as `samples`. Constant settings are left
 /// out. The result is empty if the runs do not outnumber the settings, or the metric is constant.
 Sensitivity regress(const std::vector<std::string>& names, const std::vector<std::vector<double>>& settings,
                     const std::vector<double>& samples);

@@ -51,8 +51,8 @@ Interval quantile_interval(std::span<const double> sorted, double share) {
     const boost::math::binomial below(static_cast<double>(sorted.size()), share);
     std::vector<std::size_t> indices(sorted.size());
     std::iota(indices.begin(), indices.end(), std::size_t{0});
-    // Up to `least` a value is above the percentile with a probability of at most kTailProbability, and from
-    // `most` on one is below it.
+    // Before `min` a value is above the percentile with a probability of at most kTailProbability, and from
+    // `max` on one is below it.
     const auto min = std::partition_point(indices.begin(), indices.end(), [&](std::size_t index) {
         return cdf(below, static_cast<double>(index)) <= kTailProbability;
     });

@@ -21,7 +21,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxCauseLength = 60;  // characters of a message in the summary
 
-/// Calls `take` with the statement at each row of a query.
+/// Calls `on_row` with the statement at each row of a query.
 template <typename Visitor>
 Result<void> for_each_row(Database& results, std::string_view query, const Visitor& on_row) {
     auto rows = results.prepare(query);

@@ -14,9 +14,9 @@ struct sqlite3_stmt;
 
 namespace gsim::batch {
 
-/// One SQL statement with its parameters, to be stepped through. Errors have the message of SQLite after the
-/// file's name. Creating it again for the same SQL costs no
-/// more than its steps. It must be destroyed before its database.
+/// One SQL statement with its parameters, to be stepped through. Errors have the file's name, then the
+/// message of SQLite. Creating it again for the same SQL costs no more than its steps. It must be destroyed
+/// before its database.
 class Statement {
   public:
     /// Parameters count from 1, in the order of their question marks.

@@ -23,7 +23,7 @@ struct JobTexts {
     std::optional<std::string> program = {};          ///< Written of a path.
 };
 
-/// Runner of jobs, one after the other in this process. Objects that all jobs need are created once.
+/// Runner of jobs, one at a time in this process. Objects that all jobs need are created once.
 class JobRunner {
   public:
     JobRunner();

@@ -16,7 +16,7 @@ struct CompensationTable {
     std::string text;
 };
 
-/// Returns a table for each axis with a fitted scale, over its range, or if that is unbounded, over `tips`.
+/// Returns a table for each axis with a fitted scale, over its range, or if that is unbounded, over `tcps`.
 std::vector<CompensationTable> compensation_tables(const GeometryFit& fit, std::span<const MeasuredTcp> tcps);
 
 /// Returns a line of G-code (G10 L2 P1) that sets the work offset. It makes a program's zero the work frame's

@@ -71,7 +71,7 @@ class DeviatedMachine {
 
     const Geometry& nominal() const { return nominal_; }
     /// Returns the geometry for values in the deviations' units. Each axis's line is moved independently:
-    /// with all joints at zero, the joints after it and the tool stay in position. In the file the motion is
+    /// with all joints at zero, the following joints and the tool stay in position. In the file the motion is
     /// added to the axis's `frame`, and its inverse to the next element on the same side.
     Geometry at(std::span<const Deviation> deviations, const Eigen::VectorXd& values) const;
     /// Returns the geometry with the tool rotated about its TCP, so that with all joints at zero its
@@ -81,7 +81,7 @@ class DeviatedMachine {
   private:
     Geometry nominal_;
     std::vector<rrs::CartPos> joints_;        ///< Frames of the joints in the world, with all at zero.
-    std::vector<rrs::CartPos> after_joints_;  ///< Transform that is fixed after each joint.
+    std::vector<rrs::CartPos> after_joints_;  ///< Fixed transform that follows each joint.
 };
 
 /// Calculator of TCP poses.

@@ -127,8 +127,8 @@ Eigen::MatrixXd information_matrix(const CachedErrors& cached_errors) {
     return sum;
 }
 
-/// Returns the factor that scales the noise to these lengths; `freedom` is the share of all numbers that
-/// remains after the fitted values. First uses the median, which is robust to outliers, then all but
+/// Returns the factor that scales the noise to these lengths; `degrees_of_freedom_share` is the share of all
+/// numbers that the fitted values leave. First uses the median, which is robust to outliers, then all but
 /// outliers.
 double noise_factor(std::vector<double> lengths, double degrees_of_freedom_share) {
     if (lengths.empty()) return 1;

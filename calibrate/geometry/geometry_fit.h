@@ -44,7 +44,7 @@ struct GeometryFit {
     std::string solver_message;  ///< Final message of Ceres for the last fit.
 };
 
-/// Fits the deviations of `machine` that `tips` determine. It uses least squares of the errors in units of
+/// Fits the deviations of `machine` that `tcps` determine. It uses least squares of the errors in units of
 /// their noise, robust if a TCP error exceeds the noise (Huber). The kinematics are the machine's (Ceres,
 /// Levenberg-Marquardt). The error: too few TCPs, or they determine no deviation.
 Result<GeometryFit> fit_geometry(const machine::Machine& machine, std::span<const MeasuredTcp> tcps,

@@ -22,7 +22,7 @@ using SampleHandler = std::function<Result<void>(int line, double t_s, const Cel
 
 /// Reads the output of halsampler, samples of `columns` numbers each, `period_s` apart, with or without its
 /// -t (the number of the sample in front). If samples were lost ("overrun") these numbers show how many. The
-/// error: of `take`, or an unknown period.
+/// error: of `on_sample`, or an unknown period.
 Result<void> read_halsampler(std::string_view text, std::size_t columns, double period_s,
                              const SampleHandler& on_sample);
 

@@ -13,7 +13,7 @@ namespace gsim::calibrate {
 /// Texts between the separators of a line, without the blanks and quotation marks around them.
 using Cells = std::vector<std::string_view>;
 
-/// Returns the cells of a line; each character of `between` is a separator.
+/// Returns the cells of a line; each character of `separators` is a separator.
 Cells split_cells(std::string_view line, std::string_view separators);
 
 /// Returns the index of a column by its name; empty if no column has it.

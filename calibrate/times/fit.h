@@ -39,8 +39,8 @@ struct FitOptions {
 /// Fits the open parameters of `machine` to the times of `runs`: least squares of the logarithms of times,
 /// robust if a run is off by more than 2 % (Huber), within the parameters' bounds (Ceres,
 /// Levenberg-Marquardt). Parameters that the runs do not determine stay near their values. Derivatives are
-/// differences over 1 % of each parameter. `told` receives a message on each step. The error names a program
-/// that does not reach its end, or reports too few runs.
+/// differences over 1 % of each parameter. `on_message` receives a message on each step. The error names a
+/// program that does not reach its end, or reports too few runs.
 Result<Fit> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
                       const Predictor& predictor, const FitOptions& options,
                       const std::function<void(const std::string&)>& on_message = {});

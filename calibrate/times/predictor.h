@@ -35,8 +35,8 @@ class Predictor {
     std::size_t request_count(std::size_t index) const { return programs_[index]->log.requests().size(); }
     /// Returns keys of [times] in the machine file for which these programs have words between their moves.
     std::vector<std::string> words() const;
-    /// Returns the time of each run, s, from its first move or dwell to its last, without times of words
-    /// before and after; the error says why it does not reach its end. Uses as many threads as the computer
+    /// Returns the time of each run, s, from its first move or dwell to its last, without times of leading
+    /// and trailing words; the error says why it does not reach its end. Uses as many threads as the computer
     /// has cores.
     std::vector<Result<double>> times_s(const machine::Machine& machine) const;
 

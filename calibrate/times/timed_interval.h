@@ -29,8 +29,8 @@ struct TimedInterval {
 std::vector<TimedInterval> timed_intervals(const RecordedRun& run, const simulation::MotionLog& log,
                                            const machine::Machine& machine);
 
-/// Returns when a replayed run begins to move or dwell, and when it ends: times of words before and after do
-/// not count. Empty if no axis moves.
+/// Returns when a replayed run begins to move or dwell, and when it ends: times of leading and trailing words
+/// do not count. Empty if no axis moves.
 std::optional<TimeSpan> replay_span(std::span<const simulation::ReplayedMove> moves);
 
 /// Returns the same time for a replayed run, s; 0 if it has no such moves.

@@ -11,7 +11,7 @@ constexpr int kReweightings = 20;
 constexpr int kSweeps = 50;
 constexpr double kMinResidualShare = 0.001;  // of a time: what is off by less counts as its square
 
-/// Solves least squares by one parameter after the other, none below 0.
+/// Solves least squares by each parameter in turn, none below 0.
 void solve_by_coordinates(const Eigen::MatrixXd& counts, const Eigen::VectorXd& weights,
                           Eigen::VectorXd& residuals_s, Eigen::VectorXd& waits_s) {
     for (Eigen::Index k = 0; k < waits_s.size(); ++k) {

@@ -15,7 +15,7 @@ struct CutRules {
     std::optional<double> dynamic_pierce_s = {};
     /// The feed on an arc of a radius in mm; `speed_mm_min` everywhere without a function.
     std::function<double(double)> feed_on_arc_mm_min = {};
-    /// The feed if the path turns by an angle in rad, for `corner_zone_mm` before and after the corner.
+    /// The feed if the path turns by an angle in rad, for `corner_zone_mm` on both sides of the corner.
     std::function<double(double)> feed_in_corner_mm_min = {};
     double corner_zone_mm = 0;
     /// The feed on a straight line if the jet passes through so many mm; `speed_mm_min` everywhere without a

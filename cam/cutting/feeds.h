@@ -14,7 +14,7 @@ struct FeedSegment {
     std::uint32_t source = 0;  ///< geometry::Vertex::source
 };
 
-/// Returns the edges of a closed loop in order, each with its feed: slower on arcs, and before and after
+/// Returns the edges of a closed loop in order, each with its feed: slower on arcs, and on both sides of
 /// corners. Edges are divided for that.
 std::vector<FeedSegment> assign_feeds(const geometry::Contour& loop, const CutRules& rules);
 

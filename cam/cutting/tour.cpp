@@ -51,7 +51,7 @@ class Tour {
     Point exit_before(std::size_t i) const { return i == 0 ? start_ : stops_[order_[i - 1]].exit; }
     Point exit(std::size_t i) const { return stops_[order_[i]].exit; }
     Point entry(std::size_t i) const { return stops_[order_[i]].entry; }
-    // Returns the distance from a point to the stop after index i.
+    // Returns the distance from a point to the stop that follows index i.
     double distance_to_next(Point from, std::size_t i) const {
         if (i + 1 < order_.size()) return cut_distance(from, entry(i + 1));
         return end_ ? cut_distance(from, *end_) : 0;

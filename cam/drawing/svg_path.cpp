@@ -34,7 +34,7 @@ class PathReader {
                     fmt::format("command {} is unknown, or its numbers are not complete", command_));
             if (pen_.error()) return tl::unexpected(*pen_.error());
             previous_command_ = static_cast<char>(std::toupper(command_));
-            // Further pairs after a move are lines.
+            // Further pairs of a move are lines.
             if (command_ == 'M') command_ = 'L';
             if (command_ == 'm') command_ = 'l';
         }
@@ -136,7 +136,7 @@ class PathReader {
         current_ = to;
     }
 
-    // Converts ends, radii and flags to the centre, after SVG 1.1, F.6.
+    // Converts ends, radii and flags to the centre, as in SVG 1.1, F.6.
     bool arc() {
         const std::optional<double> rx = scanner_.number();
         const std::optional<double> ry = scanner_.number();

@@ -17,7 +17,7 @@ bool is_svg_shape(std::string_view name);
 /// error as the end of a message.
 Result<void> draw_svg_shape(const pugi::xml_node& node, Pen& pen);
 
-/// Returns the value of a length attribute; `otherwise` if it is missing. Returns nothing if it cannot be
+/// Returns the value of a length attribute; `fallback` if it is missing. Returns nothing if it cannot be
 /// read.
 std::optional<double> length_attribute_px(const pugi::xml_node& node, const char* name, double fallback);
 

@@ -66,7 +66,7 @@ std::string_view consume_name(std::string_view& text) {
     return name;
 }
 
-// Returns the position after the closing brace of the block that begins with a brace.
+// Returns the position past the closing brace of the block that begins with a brace.
 std::size_t block_end(std::string_view text, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < text.size(); ++i) {

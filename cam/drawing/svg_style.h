@@ -13,7 +13,7 @@ namespace gsim::drawing {
 /// `.hidden`, `path.hidden`, `#frame`, `*`, lists of them), the properties display and visibility.
 class SvgStyles {
   public:
-    /// Reads the text of a <style> element, after those before.
+    /// Reads the text of the next <style> element.
     void add(std::string_view text);
     /// Returns the value of a property of an element: from its style attribute, else from the style sheets,
     /// else from the attribute of that name; empty if none sets it. Valid as long as the document and this

@@ -18,7 +18,7 @@ class SvgScanner {
     bool at_end();
     /// Reads a finite number.
     std::optional<double> number();
-    /// Reads "0" or "1", which need no separator after them.
+    /// Reads "0" or "1", which need no trailing separator.
     std::optional<bool> flag();
     /// Reads a letter, if one comes next.
     std::optional<char> letter();

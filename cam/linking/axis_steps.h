@@ -13,7 +13,7 @@ namespace gsim::linking {
 
 /// A section of the motion that is straight in all axes.
 struct AxisStep {
-    path::TargetId where;   ///< The target at its end, or after it on the path.
+    path::TargetId where;   ///< The target at its end, or the next one on the path.
     path::AxisValues axes;  ///< End point in machine coordinates, mm or deg.
     bool rapid = false;
     bool process_on = false;

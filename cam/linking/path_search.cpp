@@ -22,7 +22,7 @@ constexpr std::array<double, 4> kShares{1, 0.5, 0.25, 0.125};
 constexpr int kShortcutAttempts = 100;
 // Number of searches; the fastest path counts.
 constexpr std::uint32_t kSearchCount = 6;
-// Number of failed searches after which the search ends.
+// Number of failed searches that end the search.
 constexpr std::uint32_t kMaxFailedSearches = 3;
 // In all but every third search, an axis of a sample stays at its value of one of the ends with this
 // probability: many axes need not move. That finds faster paths, but does not pass all narrow gaps.

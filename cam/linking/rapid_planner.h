@@ -22,8 +22,8 @@ AxisValues axis_shift(const Origin& origin, const machine::Machine& machine);
 /// Rapids of a machine between the bodies of its cell. Axis values are machine coordinates.
 class RapidPlanner {
   public:
-    /// The arguments must outlive this object; `setup` is the machine for its planner. Without `turns` the
-    /// tool keeps its orientation on searched paths.
+    /// The arguments must outlive this object; `setup` is the machine for its planner. Without
+    /// `allows_rotation` the tool keeps its orientation on searched paths.
     RapidPlanner(const path::MachineSpace& machine, const motion::PlannerSetup& setup,
                  const cell::CollisionChecker& bodies, Origin origin, bool allows_rotation)
         : machine_(&machine),

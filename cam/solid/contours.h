@@ -29,7 +29,7 @@ struct ContourOptions {
     bool along_walls = true;  ///< The jet runs along the walls, which have to be straight in that direction.
 };
 
-/// A point of an edge at which the jet enters.
+/// A point of an edge where the jet enters.
 struct WallPoint {
     Vec3 position_mm{};
     Vec3 normal{};        ///< Normal of the face, out of the material.
@@ -43,8 +43,8 @@ struct WallPoint {
 struct WallEdge {
     std::string name;                    ///< "edge #12 of the plane face #40": in messages.
     std::vector<WallPoint> points = {};  ///< Two or more.
-    /// Distance along the jet, from the edge, at which it meets the part again after the wall; 0: it does
-    /// not.
+    /// Distance from the edge, along the jet, to the point where it meets the part again past the wall; 0: it
+    /// does not.
     double next_surface_mm = 0;
     std::string label = {};  ///< Its number in the file, "#12"; empty if it has none.
 };

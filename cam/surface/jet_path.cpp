@@ -175,8 +175,7 @@ class JetPathBuilder {
         return nearest;
     }
 
-    // Returns the position at which the lower end of the jet stays, because both edges come too near to it
-    // after that.
+    // Returns the position where the lower end of the jet stays, because both edges then come too near to it.
     std::optional<Vector> pivot_lower_end(EdgePath& before, EdgePath& after, const JetPoint& end,
                                           const JetPoint& start) {
         auto position = trim_lower_ends(before, after, end.low_mm);
@@ -222,7 +221,7 @@ class JetPathBuilder {
     }
 
     struct PathIntersection {
-        std::size_t before = 0, after = 0;         // they cross after these points
+        std::size_t before = 0, after = 0;         // they cross past these points
         double before_share = 0, after_share = 0;  // of the path to the next one
     };
 
@@ -328,7 +327,7 @@ class JetPathBuilder {
     const JetShape& jet_;
     const JetOptions& options_;
     std::vector<EdgePath> edges_;
-    std::vector<EdgePath> corners_;  // after each edge
+    std::vector<EdgePath> corners_;  // at the end of each edge
     std::vector<LowerCorner> lower_corners_;
 };
 

@@ -21,8 +21,8 @@ struct JetOptions {
 
 /// Returns the jet's path round a contour, or along an open one from end to end. It is offset by half of its
 /// width from the edges, runs around corners that open, and is trimmed at corners that close. The error is a
-/// message: an edge at which the jet would tilt too much or point up, or a curve or corner that is narrower
-/// than the jet.
+/// message: an edge where the jet would tilt too much or point up, or a curve or corner that is narrower than
+/// the jet.
 Result<JetPath> jet_path(const solid::WallContour& contour, const JetShape& jet, const JetOptions& options);
 
 /// Direction in which a path with material to its left turns about an axis: outwards, so that the jet has to

@@ -17,8 +17,8 @@ constexpr int kProbeCount = 9;
 constexpr double kProbesPerKerf = 4;  // of a straight lead
 constexpr int kMaxStarts = 24;
 
-// Returns a point of a quarter circle that ends on the path: the offset after `turn` of its sweep, back
-// against the path.
+// Returns a point of a quarter circle that ends on the path: the offset at `turn` of its sweep, back against
+// the path.
 Vector lead_offset(const JetPoint& at, double radius_mm, double turn, double sense) {
     const Vector waste_direction = at.tangent.cross(at.normal).normalized();
     return radius_mm * ((1 - std::cos(turn)) * waste_direction + sense * std::sin(turn) * at.tangent);

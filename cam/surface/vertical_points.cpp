@@ -15,7 +15,7 @@ bool is_vertical(const JetPoint& at) {
 }
 
 // Returns the direction of the axis tilt as it approaches the upright orientation from `near` and, before
-// that, from `far`.
+// that, from `farther_point`.
 double extrapolated_azimuth(const JetPoint& is_vertical_point, const JetPoint& near,
                             const JetPoint* farther_point) {
     const double first = azimuth_rad(near.axis);

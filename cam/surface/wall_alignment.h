@@ -12,7 +12,7 @@ inline constexpr double kAllowedGouge_mm = 0.02;
 Vector perpendicular(const Vector& direction, const Vector& axis);
 
 /// Moves the axis so that the jet touches the upper and the lower edge of a wall, offset by half of its width
-/// from both. `at.aside` and `at.lower_offset_direction` are the wall's normals there at first. They differ
+/// from both. `at.lateral` and `at.lower_offset_direction` are the wall's normals there at first. They differ
 /// if the wall is twisted; the axis is then not a line of the wall.
 void align_to_both_edges(JetPoint& at, const JetShape& jet);
 

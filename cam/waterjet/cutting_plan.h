@@ -59,12 +59,12 @@ Result<CuttingPlan> plan_cutting(const Materials& materials, const CuttingReques
 /// line.
 double feed_for_radius_mm_min(const CuttingPlan& plan, double radius_mm);
 
-/// Returns the feed in a corner at which the direction of the tool path turns by `turn_rad`, of either sign
-/// (0: straight on, pi: back), in mm/min. It is valid for corner_zone_mm() before and after the corner.
+/// Returns the feed in a corner where the direction of the tool path turns by `turn_rad`, of either sign (0:
+/// straight on, pi: back), in mm/min. It is valid for corner_zone_mm() on both sides of the corner.
 double feed_for_corner_mm_min(const CuttingPlan& plan, double turn_rad);
 
-/// Returns the distance before and after a corner within which the jet's exit has not passed it: the lag at
-/// the cutting speed.
+/// Returns the distance on both sides of a corner within which the jet's exit, behind the nozzle, has not
+/// passed it: the lag at the cutting speed.
 double corner_zone_mm(const CuttingPlan& plan);
 
 /// Returns the feed on a straight line if the jet has to pass this much of the material, as a tilted jet

@@ -40,7 +40,7 @@ constexpr std::array kActiveComments = {
 
 constexpr std::size_t kMaxValues = 50;  // a call of Lua accepts some 200 at most
 
-/// Splits a text with values into a format for Lua's string.format, and the values after it.
+/// Splits a text with values into a format for Lua's string.format and the values that follow it.
 class FormattedValues {
   public:
     explicit FormattedValues(std::string_view text) : remaining_(text) {
@@ -97,7 +97,7 @@ class FormattedValues {
         return value >= 1 && value <= kLastParameter ? fmt::format(", v[{}]", value) : ", parameter(\"\")";
     }
 
-    /// Reads %d, %f and %.3f: the formats of the values after it.
+    /// Reads %d, %f and %.3f: the formats of the values that follow.
     bool consume_format() {
         if (remaining_.starts_with("%d")) return set_format("%.0f", 2);
         if (remaining_.starts_with("%f")) return set_format("%.4f", 2);

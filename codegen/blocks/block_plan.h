@@ -29,7 +29,7 @@ struct Call {
     std::uint32_t word = 0;               ///< The word that asked for the call.
     std::uint32_t first_operand = 0;      ///< Into BlockPlan::operands().
     std::uint32_t operand_count = 0;
-    /// After them: words that another code of the block has used and that the modal motion may use too.
+    /// Words that follow them: used by another code of the block, and available to the modal motion too.
     std::uint32_t shared_count = 0;
 };
 

@@ -53,7 +53,7 @@ class Settings {
     std::vector<Setting> settings_;
 };
 
-/// Appends the assignments of a block of the 9/Series, one after the other.
+/// Appends the assignments of a block of the 9/Series, in order.
 void write_assignments(const grammar::Block& block, std::string& out);
 
 }  // namespace gsim::codegen

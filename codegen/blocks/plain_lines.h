@@ -35,7 +35,7 @@ struct PlainWord {
     int decimals = 0;  ///< Digits after the point.
 };
 
-/// Words of a plain line one after the other; names and expressions are skipped.
+/// Words of a plain line in order; names and expressions are skipped.
 class PlainWords {
   public:
     explicit PlainWords(std::string_view line) : line_(line) {}

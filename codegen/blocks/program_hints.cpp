@@ -40,7 +40,7 @@ std::string without_blanks(std::string_view text) {
     return out;
 }
 
-// Returns the text after the name or number of an O-word; empty if a line has no O-word.
+// Returns the text that follows the name or number of an O-word; empty if a line has no O-word.
 std::string_view text_after_o(std::string_view line) {
     std::size_t at =
         line.starts_with("N") ? std::min(line.find_first_not_of("0123456789", 1), line.size()) : 0;
@@ -58,7 +58,7 @@ constexpr std::array<std::string_view, 14> kOWords{"SUB",    "ENDSUB",    "CALL"
                                                    "ELSE",   "ENDIF",     "WHILE",  "ENDWHILE", "DO",
                                                    "REPEAT", "ENDREPEAT", "RETURN", "BREAK"};
 
-// Returns true if the line contains `text` with a digit after it.
+// Returns true if the line contains `text` followed by a digit or '#'.
 bool has_numbered(std::string_view line, std::string_view text) {
     for (std::size_t at = line.find(text); at != std::string_view::npos; at = line.find(text, at + 1)) {
         const std::size_t after = at + text.size();

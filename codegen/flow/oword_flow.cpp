@@ -237,8 +237,7 @@ bool OWordFlow::inside_sub() const {
 
 void OWordFlow::write_return(const Block& block, std::string& out) {
     if (!inside_sub()) fail(block, "return must be inside a subroutine");
-    // Lua requires `return` at the end of a block, so it gets one of its own; a program may continue after
-    // it.
+    // Lua requires `return` at the end of a block, so it gets one of its own; a program may continue past it.
     out += "do return ";
     if (!block.arguments.empty()) {
         out += "result(";

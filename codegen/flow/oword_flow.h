@@ -46,7 +46,7 @@ class OWordFlow {
         std::uint64_t weight;
         bool has_else = false;
         bool has_continue = false;  ///< Its end needs a label for `continue`,
-        bool has_break = false;     ///< or one after it for `break` out of an inner loop.
+        bool has_break = false;     ///< or one past it for `break` out of an inner loop.
     };
 
     void open_structure(const grammar::Block& block, std::string& out);

@@ -12,8 +12,8 @@ struct Cut {
     std::uint32_t line;  ///< Line of the Lua, from 1.
 };
 
-/// Function of a file of Lua: a program, a subroutine, or the remainder of a program after a subroutine. Its
-/// body may be split at the cuts, because no loop is open there and no jump crosses them.
+/// Function of a file of Lua: a program, a subroutine, or the part of a program that follows a subroutine.
+/// Its body may be split at the cuts, because no loop is open there and no jump crosses them.
 struct ProgramPart {
     std::string
         head;  ///< Lua call that receives the function, up to it: `program(12, `, `sub("drill", `, `more(`.

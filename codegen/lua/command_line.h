@@ -13,7 +13,7 @@ namespace gsim::codegen {
 /// Blanks around words of such a line; CR is that of a line that ends in CR LF.
 inline constexpr std::string_view kLineBlanks = " \t\r\v\f";
 
-/// Parameter of a command: a letter, or a name, and the text after it.
+/// Parameter of a command: a letter, or a name, and the text that follows.
 struct Parameter {
     std::string key;  ///< In capitals.
     std::string value;
@@ -24,7 +24,7 @@ struct Parameter {
 struct CommandLine {
     std::string command;  ///< In capitals, "G1", "SET_VELOCITY_LIMIT"; empty without a command.
     std::uint32_t column = 0;
-    std::vector<Parameter> parameters;  ///< In their order, each a run of letters with the text after it.
+    std::vector<Parameter> parameters;  ///< In their order, each a run of letters with the text that follows.
     std::string_view tail;              ///< Text after the command, without the remark.
     std::string_view remark;            ///< Text after ';'.
 };
@@ -36,7 +36,7 @@ CommandLine command_line(std::string_view line);
 /// another form.
 bool named_parameters(const CommandLine& line, std::vector<Parameter>& parameters);
 
-/// Lines of a source, one after the other.
+/// Lines of a source, in order.
 class SourceLines {
   public:
     explicit SourceLines(lexer::Source& source) : source_(source) { source.rewind(); }

@@ -16,8 +16,8 @@ void write_number(const grammar::Block& block, std::int32_t index, std::string& 
 void write_condition(const grammar::Block& block, std::int32_t index, std::string& out);
 
 /// Returns the column of an expression of the block with deeper nesting in Lua than Lua reads. Returns no
-/// value if all are shallow enough, as in any program that people write. `taken`: levels of the structures
-/// around it.
+/// value if all are shallow enough, as in any program that people write. `used_levels`: levels of the
+/// structures around it.
 std::optional<std::uint32_t> nested_too_deep(const grammar::Block& block, int used_levels);
 
 }  // namespace gsim::codegen

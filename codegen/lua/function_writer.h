@@ -9,15 +9,15 @@
 namespace gsim::codegen {
 
 /// Writer of the functions of a file of Lua, with their map: `program(12, function() ... end)`, `sub(100,
-/// function() ... end)`, and `more(function() ... end)` for the part of a program after a subroutine. Text is
-/// appended to the line that is being built.
+/// function() ... end)`, and `more(function() ... end)` for the part of a program that follows a subroutine.
+/// Text is appended to the line that is being built.
 class FunctionWriter {
   public:
     /// Returns true inside of a function.
     bool open() const { return open_; }
     /// Begins a program; `name` is a Lua literal: a number, a quoted text, or nil.
     void begin_program(std::string_view name, std::string& line);
-    /// Begins a subroutine; the text after it belongs to the program before it again.
+    /// Begins a subroutine; the text that follows it belongs to the program before it again.
     void begin_sub(std::string_view name, std::string& line);
     /// Continues the program after a subroutine, or begins one without a name.
     void begin_remainder(std::string& line);

@@ -14,7 +14,8 @@
 namespace gsim::codegen {
 
 /// Lua of one translation until it is known to be complete. It is in memory while it is short, then in an
-/// anonymous temporary file, so that memory stays flat. Its first line ends in the hash of the text after it.
+/// anonymous temporary file, so that memory stays flat. Its first line ends in the hash of the text that
+/// follows.
 class LuaSpool {
   public:
     /// Makes the temporary file now, because later the process may have no access to a folder for it.

@@ -234,8 +234,8 @@ int LuaWriter::nesting_levels_around(const Block& block) const {
     return oword_flow_.levels() + kLevelsPerSetting * static_cast<int>(settings);
 }
 
-/// The last one of several comments in ( ) may act; a remark after ';' does not, nor does the text after an
-/// O-word.
+/// The last one of several comments in ( ) may act; a remark that begins with ';' does not, nor does the text
+/// that follows an O-word.
 void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::vector<lexer::Slice>& comments = block.text->comments;
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);

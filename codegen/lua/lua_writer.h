@@ -19,7 +19,7 @@
 namespace gsim::codegen {
 
 /// Writer that turns blocks into lines of Lua: line n of the source becomes line n+1. A line is built in two
-/// buffers, statements and the comment after them, and written when the source's line ends.
+/// buffers, statements and the comment that follows them, and written when the source's line ends.
 class LuaWriter : public grammar::BlockSink {
   public:
     struct Options {

@@ -11,8 +11,8 @@
 namespace gsim::codegen {
 
 /// Appends the Lua of one call of a block's plan, and a blank; words that have been evaluated before
-/// (`values`) are their locals. With `further` ("`, true`"), an argument after its words, the call is in
-/// round brackets.
+/// (`values`) are their locals. With `suffix` ("`, true`"), a trailing argument, the call is in round
+/// brackets.
 void write_call(const grammar::Block& block, const BlockPlan& plan, const Call& call,
                 const BlockValues& values, std::string& out, std::string_view suffix = {});
 

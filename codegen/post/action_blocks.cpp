@@ -62,7 +62,7 @@ ActionBlocks::ActionBlocks(const Blocks& blocks) : exact_(blocks) {
     }
 }
 
-// Each placeholder matches as much as it may, up to the text after it.
+// Each placeholder matches as much as it may, up to the text that follows it.
 std::optional<std::vector<std::string>> ActionBlocks::match(const Pattern& pattern, std::string_view action) {
     std::vector<std::string> found;
     for (std::size_t i = 0; i < pattern.placeholders.size(); ++i) {

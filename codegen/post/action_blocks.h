@@ -26,7 +26,7 @@ class ActionBlocks {
 
   private:
     struct Pattern {
-        std::vector<std::string> texts;         // before, between and after the placeholders
+        std::vector<std::string> texts;         // around and between the placeholders
         std::vector<std::string> placeholders;  // one fewer
         std::string block;
     };

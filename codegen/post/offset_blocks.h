@@ -39,8 +39,7 @@ class OffsetBlocks {
     /// Writes the post's block that sets the origin of a work coordinate system; the post must have one.
     void set_origin(const std::string& name, const std::array<double, 3>& origin_mm);
     /// Writes the post's blocks that find by a touch the origin of a work offset, which is active; the post
-    /// must have some. The tool, which is up, comes down to the start of the touch, and returns there after
-    /// it.
+    /// must have some. The tool, which is up, comes down to the start of the touch, and then returns there.
     void touch(const std::string& system, const ProbeTouch& touch);
     void forget() { active_.clear(); }
 

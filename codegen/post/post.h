@@ -93,7 +93,7 @@ struct OffsetWords {
     std::string machine;             ///< In front of a line or a rapid: its numbers are machine coordinates.
     std::string preset;              ///< Before axis words: the present position has these coordinates.
     std::vector<std::string> begin;  ///< Lines that cancel all other offsets.
-    std::vector<std::string> end;    ///< Lines that cancel the effect of `here`.
+    std::vector<std::string> end;    ///< Lines that cancel the effect of `preset`.
 
     bool operator==(const OffsetWords&) const = default;
 };
@@ -140,7 +140,7 @@ struct Post {
 /// Values of the placeholders of a template.
 using PlaceholderValues = std::map<std::string, std::string, std::less<>>;
 
-/// Returns a template with its placeholders filled in; those that `places` lacks stay.
+/// Returns a template with its placeholders filled in; those that `placeholders` lacks stay.
 std::string fill_template(std::string_view line, const PlaceholderValues& placeholders);
 
 }  // namespace gsim::codegen

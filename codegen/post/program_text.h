@@ -36,7 +36,7 @@ class ProgramText {
     void begin();
     /// Begins a line that has no number.
     void begin_unnumbered() { first_word_ = true; }
-    /// Writes words after a space.
+    /// Writes words, with a leading space unless they begin the line.
     void code(std::string_view text);
     /// Writes a word: its letter, and a number in units of the format.
     void word(std::string_view letter, std::int64_t units, const DecimalFormat& format);

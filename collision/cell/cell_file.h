@@ -24,7 +24,7 @@ Result<CellFiles> read_cell_files(std::string_view toml_text, std::string_view f
 
 /// Reads a cell file (docs/cell-file.md) for a machine, strictly: unknown or unclear content is an error.
 /// Also reads the meshes that it names. `conveyors` are names of frames to which things may be attached, in
-/// the world at the conveyor position 0; Cell::carried begins with them. `faults`, if given, receives all
+/// the world at the conveyor position 0; Cell::carried begins with them. `errors`, if given, receives all
 /// errors, the first one first.
 Result<Cell> read_cell(std::string_view toml_text, std::string_view file_name,
                        const machine::Machine& machine, std::span<const std::string> conveyors = {},

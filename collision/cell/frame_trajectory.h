@@ -26,7 +26,7 @@ struct UniformMotion {
 UniformMotion uniform_motion_between(const rrs::CartPos& from, const rrs::CartPos& to, double from_s,
                                      double to_s);
 
-/// Motion of an independent frame over a run: one drift after the other. It may jump from one to the next.
+/// Motion of an independent frame over a run: a sequence of drifts. It may jump from one to the next.
 class FrameTrajectory {
   public:
     explicit FrameTrajectory(const rrs::CartPos& pose) : motions_{UniformMotion{.pose = pose}} {}

@@ -56,7 +56,7 @@ rrs::CartPos FrameTree::pose_in_link(std::size_t frame) const {
     return pose;
 }
 
-// Frames that are attached to a frame come after it.
+// Frames that are attached to a frame follow it.
 void FrameTree::make_movable(std::size_t frame) {
     frames_[frame].is_link = true;
     int link = machine_links_;

@@ -13,8 +13,8 @@
 namespace gsim::cell {
 
 /// The named frames of a cell, each attached to another one. Those of the machine come first: "world", "base"
-/// (of the joints that carry the tool), a letter for the link after each axis, "tool" and "work". Only "base"
-/// of these can be moved, and the machine with it (placed_kinematics()).
+/// (of the joints that carry the tool), a letter for the link that follows each axis, "tool" and "work". Only
+/// "base" of these can be moved, and the machine with it (placed_kinematics()).
 class FrameTree {
   public:
     explicit FrameTree(const machine::Machine& machine);
@@ -34,8 +34,8 @@ class FrameTree {
     }
 
     /// Makes a frame that is not the machine's independent from now on, with everything attached to it, as a
-    /// separate link. Such links are numbered after the machine's, in the order of their frames, so that each
-    /// comes after the one in which it moves.
+    /// separate link. The numbers of such links follow those of the machine, in the order of their frames, so
+    /// that each is above that of the link in which it moves.
     void make_movable(std::size_t frame);
     /// Returns the frame to which the frame is attached.
     std::size_t parent(std::size_t frame) const { return frames_[frame].parent; }

@@ -8,7 +8,7 @@
 namespace gsim::cell {
 
 /// Poses of the links of a machine: number 0 is the world, to which the bases are fixed. Number i is the link
-/// after joint i - 1, for a joint that carries the tool or the work. Links that move independently
+/// that follows joint i - 1, for a joint that carries the tool or the work. Links that move independently
 /// (MovingLink) may follow. Poses are in the world, mm.
 using LinkFrames = std::vector<rrs::CartPos>;
 
@@ -26,12 +26,12 @@ struct JointAxis {
 std::vector<JointAxis> joint_axes(const kinematics::Kinematics& kinematics, const rrs::JointPos& joints);
 
 /// Returns the joints that move `link` in the world, starting with the first. A link that moves independently
-/// has two joints of its own, after those of the machine: the first slides, the second turns. `parents` are
-/// the links in which such links move, in their order.
+/// has two joints of its own, which follow those of the machine: the first slides, the second turns.
+/// `parents` are the links in which such links move, in their order.
 std::vector<int> joints_to(const kinematics::Kinematics& kinematics, int link,
                            std::span<const int> parents = {});
 
-/// Returns the joints that move two links against each other: from `first` back to the point at which their
+/// Returns the joints that move two links against each other: from `first` back to the point where their
 /// paths from the world part, and on to `second`.
 std::vector<int> joints_between(const kinematics::Kinematics& kinematics, int first, int second,
                                 std::span<const int> parents = {});

@@ -35,18 +35,18 @@ struct Clearance {
 /// come. No contact is missed, however thin the body and fast the motion: distances are those of full paths,
 /// by bounds of their curvature (conservative advancement: B. Mirtich, 1996).
 ///
-/// A touch of a probe (probes()) while it probes is no contact, nor are the braking after it and the
-/// retraction. A later move that presses deeper is one, from its start on. The distance of the probe from
-/// what it may touch counts again once it has been as far as the cell's clearance.
+/// A touch of a probe (probes()) while it probes is no contact, nor are the braking and the retraction that
+/// follow it. A later move that presses deeper is one, from its start on. The distance of the probe from what
+/// it may touch counts again once it has been as far as the cell's clearance.
 class ClearanceMonitor {
   public:
     /// Makes a monitor. `cell` must outlive this; it was read for this machine.
     ClearanceMonitor(const Cell& cell, const machine::Machine& machine);
 
     /// Notes that frames of the cell, or the machine's base, have been moved, or move independently from now
-    /// on. A touch after that counts as another contact.
+    /// on. A later touch counts as another contact.
     void on_frames_changed();
-    /// Ends all checks after that time is used up. Null: never. `cpu` outlives this.
+    /// Ends all checks once that time is used up. Null: never. `cpu` outlives this.
     void set_time_limit(os::CpuLimit* cpu) { cpu_limit_ = cpu; }
     /// Finds from now on the time of the smallest distance of a block, which takes a search for each.
     void record_times() { records_times_ = true; }

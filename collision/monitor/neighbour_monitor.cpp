@@ -42,7 +42,7 @@ void NeighbourMonitor::set_bodies(std::shared_ptr<const MachineBodies> first,
     reset_distances();
 }
 
-/// Numbers links and joints of the second machine after those of the first (TwoMachinesMotion).
+/// Numbers links and joints of the second machine on from those of the first (TwoMachinesMotion).
 void NeighbourMonitor::add_pair(const CarriedBody& first, const CarriedBody& second) {
     const int joints = machines_[0]->kinematics->chain().joint_count();
     Body trailing_body = second.body;

@@ -30,7 +30,7 @@ class NeighbourMonitor {
     NeighbourMonitor(const rrs::CartPos& first_world, const rrs::CartPos& second_world)
         : world_frames_{first_world, second_world} {}
 
-    /// Sets the bodies to check from now on: at first, and after frames have been moved. Bodies that touch
+    /// Sets the bodies to check from now on: at first, and whenever frames have been moved. Bodies that touch
     /// then count as another contact.
     void set_bodies(std::shared_ptr<const MachineBodies> first, std::shared_ptr<const MachineBodies> second);
     /// Ends all checks once that CPU time is used up. Null: never. `cpu` outlives this.

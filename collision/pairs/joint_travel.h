@@ -15,7 +15,7 @@ struct JointTravel {
     std::array<double, rrs::kMaxJoints> deviation{};
     std::array<int, 3> arc_joints{-1, -1, -1};  ///< -1 without an arc.
     double arc_mm = 0;
-    double arc_deviation_mm = 0;  ///< As `bend`, of the point that moves on the arc.
+    double arc_deviation_mm = 0;  ///< As `deviation`, of the point that moves on the arc.
 
     bool is_on_arc(int joint) const;
     bool moves() const;

@@ -15,7 +15,7 @@ double reach(const BoundingSphere& body, const Eigen::Vector3d& point_mm, const 
 }
 
 /// Prismatic joints that follow each other. Their distances add up at right angles or, if they are not at
-/// right angles, one after the other.
+/// right angles, end to end.
 class SlideSum {
   public:
     void add(const Eigen::Vector3d& direction, double travel_mm) {

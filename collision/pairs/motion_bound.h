@@ -38,7 +38,7 @@ struct LinkTravel {
 };
 
 /// Axes of a machine's joints at the start of a motion, and the travel of the joints. For two machines in one
-/// world, joints of the second are numbered after all of the first one's.
+/// world, joints of the second are numbered on from those of the first.
 class ChainMotion {
   public:
     ChainMotion(std::vector<JointAxis> axes, const JointTravel& travel,
@@ -50,10 +50,10 @@ class ChainMotion {
     }
 
     /// Returns the bound for a body that the joints `between` move, from its own one on (joints_between()),
-    /// seen from the link after the last of them. A prismatic joint moves its points by its own distance. A
-    /// revolute one moves them by its angle times the reach of the body from its axis, which joints nearer to
-    /// the body may lengthen. The deviation is that of x(q) by its second derivatives, an eighth of their
-    /// bound, plus that of the joints' own paths.
+    /// seen from the link that follows the last of them. A prismatic joint moves its points by its own
+    /// distance. A revolute one moves them by its angle times the reach of the body from its axis, which
+    /// joints nearer to the body may lengthen. The deviation is that of x(q) by its second derivatives, an
+    /// eighth of their bound, plus that of the joints' own paths.
     MotionBound bound(const BoundingSphere& body, std::span<const int> between) const;
     /// Enlarges the reaches of the machine's joints among these to their values at the start of the motion.
     void expand(JointReach& reach_mm, const BoundingSphere& body, std::span<const int> between) const;

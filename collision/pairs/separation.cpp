@@ -30,7 +30,7 @@ std::vector<double> travels_along_mm(const BoundingSphere& body, const JointPart
     const auto joint_axis = [&](int joint) -> const JointAxis& {
         return part.axes[static_cast<std::size_t>(joint)];
     };
-    double later_rotation_rad = 0;  // of the joints after the current one, which turn its motion
+    double later_rotation_rad = 0;  // of the joints that follow the current one, which turn its motion
     for (const int joint : between) {
         if (joint_axis(joint).kind == rrs::JointKind::revolute) later_rotation_rad += part.half[joint];
     }

@@ -21,9 +21,10 @@ struct JointPart {
 };
 
 /// Returns for each of the joints `between`, from the body's own one on (joints_between()), how far it can
-/// move a point of the body along a unit vector. The vector is fixed to the link after the last of them, and
-/// is `direction` in the world at the middle of the part. A joint that slides across it moves nothing along
-/// it, except as later joints turn its path. The path of a revolute joint begins across its lever.
+/// move a point of the body along a unit vector. The vector is fixed to the link that follows the last of
+/// them, and is `direction` in the world at the middle of the part. A joint that slides across it moves
+/// nothing along it, except as later joints turn its path. The path of a revolute joint begins across its
+/// lever.
 std::vector<double> travels_along_mm(const BoundingSphere& body, const JointPart& part,
                                      std::span<const int> between, const Eigen::Vector3d& direction);
 

@@ -13,14 +13,14 @@ struct MachineMotion {
     const motion::Segment& segment;
     double from_s;  ///< Since the start of the segment.
 
-    /// Returns the joint values at a time since that instant; after the end of the segment the machine is at
+    /// Returns the joint values at a time since that instant; past the end of the segment the machine is at
     /// standstill.
     rrs::JointPos joints_at(double t_s) const;
     /// Returns the travel between two such times.
     JointTravel travel(double from_s, double to_s) const;
 };
 
-/// Two machines in one world, both from an instant on. Links and joints of the second are numbered after
+/// Two machines in one world, both from an instant on. Links and joints of the second are numbered on from
 /// those of the first. All arguments must outlive this.
 class TwoMachinesMotion final : public LinkMotion {
   public:

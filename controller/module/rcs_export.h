@@ -19,7 +19,7 @@ using ShellFactory = Result<std::unique_ptr<Shell>> (*)(const gsim_rcs_machine& 
 gsim_rcs_module* create_exported(ShellFactory make, const gsim_rcs_machine* machine,
                                  gsim_rcs_message* message) noexcept;
 void destroy_exported(gsim_rcs_module* module) noexcept;
-/// Works as gsim_rcs_call(); after an exception of the Shell it returns GSIM_RCS_FAULT, with its text as the
+/// Works as gsim_rcs_call(); on an exception of the Shell it returns GSIM_RCS_FAULT, with its text as the
 /// message.
 std::int32_t call_exported(gsim_rcs_module* module, std::int32_t opcode, const void* input,
                            void* output) noexcept;

@@ -161,7 +161,7 @@ bool RcsLink::wait_for_exit(int milliseconds) const {
     return has_ended();
 }
 
-/// A confined program may not send signals; then the host ends after it finds that the other end is closed.
+/// A confined program may not send signals; then the host ends once it finds that the other end is closed.
 void RcsLink::end() {
     if (status_) return;
     ::kill(-process_, SIGKILL);

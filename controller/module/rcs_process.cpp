@@ -52,7 +52,7 @@ class RcsProcess final : public RcsCalls {
     bool queries_targets_ = false;
     std::uint32_t fetched_count_ = 0;   ///< Steps that were made ahead,
     std::uint32_t queried_count_ = 0;   ///< and those of them that were asked for.
-    std::int32_t retried_service_ = 0;  ///< Target that was enqueued once more after them; 0: none.
+    std::int32_t retried_service_ = 0;  ///< Target that was then enqueued once more; 0: none.
     std::optional<std::string> loss_;
 };
 

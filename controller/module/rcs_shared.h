@@ -65,7 +65,7 @@ struct RcsShared {
     gsim_rcs_target_id empty_target;
     std::atomic<std::uint32_t> step_count;
     std::atomic<std::int32_t> was_full;   ///< True if steps are made because a target returned QUEUE_FULL,
-    std::atomic<std::int32_t> has_retry;  ///< and true if it was enqueued again after them.
+    std::atomic<std::int32_t> has_retry;  ///< and true if it was then enqueued again.
     std::int32_t retry_status;
     std::array<RcsSharedStep, kMaxPrefetchedSteps> steps;
 };

@@ -18,7 +18,7 @@ gsim_rcs_joints to_rcs(const JointPos& joints);
 /// Converts joint values; a count out of range is taken as 0.
 JointPos from_rcs(const gsim_rcs_joints& joints);
 
-/// Writes `text` with a zero byte after it. Returns false, and truncates, if it does not fit or holds a zero
+/// Writes `text` with a trailing zero byte. Returns false, and truncates, if it does not fit or holds a zero
 /// byte.
 bool copy_text(std::string_view text, std::span<char> field);
 

@@ -9,7 +9,7 @@
 
 namespace gsim::rrs {
 
-/// True for a parameter that a service fills in; these come after its inputs.
+/// True for a parameter that a service fills in; these follow its inputs.
 template <typename Parameter>
 inline constexpr bool kIsOutput =
     std::is_lvalue_reference_v<Parameter> && !std::is_const_v<std::remove_reference_t<Parameter>>;

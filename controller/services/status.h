@@ -4,9 +4,8 @@
 
 namespace gsim::rrs {
 
-/// Result of a service. 0 is success, a negative value an error after which nothing has changed, a positive
-/// value a success with additional information. The numbers are stable, because scripts and modules compare
-/// them.
+/// Result of a service. 0 is success, a negative value an error that has changed nothing, a positive value a
+/// success with additional information. The numbers are stable, because scripts and modules compare them.
 enum class Status : int {
     RRS_SUCCESS = 0,
     RRS_NEED_MORE_DATA = 1,          ///< GetNextStep: the queue is empty, the robot is at standstill.
@@ -24,7 +23,7 @@ enum class Status : int {
     RRS_UNKNOWN_FRAME = -10,      ///< No frame of that name in the cell.
     RRS_ZERO_SPEED = -11,         ///< A motion without a programmed speed.
     RRS_QUEUE_FULL = -12,         ///< Too many targets ahead of GetNextStep, and no other consumer.
-    RRS_MODULE_FAULT = -13,       ///< The result of a controller module is invalid; nothing works after it.
+    RRS_MODULE_FAULT = -13,       ///< The result of a controller module is invalid; then nothing works.
 };
 
 /// True if it is an error.

@@ -79,7 +79,7 @@ std::string listed(const std::vector<std::string>& names) {
     return list;
 }
 
-/// Calls `ask` on a run that is about to start; returns the status.
+/// Calls `run_action` on a run that is about to start; returns the status.
 template <typename RunAction>
 std::int32_t call_on_ready_run(gsim_run* run, std::size_t robot, const RunAction& run_action) {
     return call_noexcept([&]() -> std::int32_t {

@@ -27,7 +27,7 @@ bool has_folder(const std::string& name) {
     return name.find('/') != std::string::npos;
 }
 
-// Returns all positions in which an installation may have it.
+// Returns all paths where an installation may have it.
 std::vector<fs::path> candidate_paths(const fs::path& bin_folder, NameKind kind, const std::string& name) {
     std::vector<fs::path> found;
     if (fs::path(name).is_absolute()) return found;

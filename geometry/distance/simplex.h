@@ -12,8 +12,8 @@ struct DifferencePoint {
     Eigen::Vector3d on_second = Eigen::Vector3d::Zero();
 };
 
-/// Up to four points of a difference of bodies, and the point at which their hull is nearest to the origin
-/// (C. Ericson, Real-Time Collision Detection, 5.1 and 9.5).
+/// Up to four points of a difference of bodies, and the point where their hull is nearest to the origin (C.
+/// Ericson, Real-Time Collision Detection, 5.1 and 9.5).
 class Simplex {
   public:
     int size() const { return count_; }

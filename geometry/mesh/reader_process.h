@@ -23,7 +23,7 @@ namespace gsim::solid {
 Result<std::string> query_reader(const std::string& request, const std::filesystem::path& file,
                                  const std::vector<std::string>& settings);
 
-/// Returns the result of `take` for the packet (PacketReader), which it must consume completely.
+/// Returns the result of `visit` for the packet (PacketReader), which it must consume completely.
 template <typename MeshHandler>
 auto query_reader_as(const std::string& request, const std::filesystem::path& file,
                      const std::vector<std::string>& settings, MeshHandler visit)

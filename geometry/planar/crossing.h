@@ -14,7 +14,7 @@ struct Crossing {
     std::size_t contour_b = 0, edge_b = 0;
 };
 
-/// Returns the first position at which closed contours cross or touch themselves or each other. Neighbouring
+/// Returns the first position where closed contours cross or touch themselves or each other. Neighbouring
 /// edges that leave their common corner nearer to each other than `tolerance_mm` (a tangent that was rounded)
 /// do not cross.
 std::optional<Crossing> find_crossing(std::span<const Contour> contours, double tolerance_mm);

@@ -18,7 +18,7 @@ struct Intersections {
     void add(Point point);
 };
 
-/// Returns the points at which two edges meet; each edge is extended by kPointTolerance_mm.
+/// Returns the points where two edges meet; each edge is extended by kPointTolerance_mm.
 Intersections intersections(const Edge& a, const Edge& b);
 
 }  // namespace gsim::geometry

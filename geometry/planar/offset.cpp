@@ -42,7 +42,7 @@ class RawOffset {
         add({start, end, is_arc(edge) ? edge.bulge : 0}, contour_.vertices[i].source);
     }
 
-    // Adds the arc about the corner after edge i, if the contour turns to the left.
+    // Adds the arc about the corner at the end of edge i, if the contour turns to the left.
     void round_corner(std::size_t i) {
         const std::size_t next = contour_.next(i);
         const Edge edge = contour_.edge(i);

@@ -1,6 +1,6 @@
 -- Geometry in a plane for chamfers, corner radii and angles of lines. Points are { first, second } in mm. A
--- path part (`piece`) has `from` and `to`, and if it is an arc its centre, radius, sense (1 counterclockwise,
--- -1 clockwise) and sweep.
+-- path part (`element`) has `from` and `to`, and if it is an arc its centre, radius, sense (1
+-- counterclockwise, -1 clockwise) and sweep.
 
 local g = use "common/comp_geometry"
 

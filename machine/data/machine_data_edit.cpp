@@ -223,7 +223,8 @@ Result<void> MachineDataDocument::add(const SectionRules& rules, DataRow row, co
     });
 }
 
-// Returns the position after the last entry of the section, or after its keyword; a missing section is added.
+// Returns the position that follows the last entry of the section, or its keyword; a missing section is
+// added.
 std::size_t MachineDataDocument::section_end(DataSection section) {
     for (std::size_t i = lines_.size(); i-- > 0;) {
         const DataLine& line = lines_[i];

@@ -12,7 +12,7 @@ class EditedLine {
     explicit EditedLine(std::string_view line);
 
     std::size_t size() const { return words_.size(); }
-    /// Replaces a word. Text after it keeps its column if blanks allow that.
+    /// Replaces a word. The text that follows keeps its column if blanks allow that.
     void replace(std::size_t index, std::string_view word);
     /// Inserts a word before that one; `index` is size() for the end, before the remark.
     void insert(std::size_t index, std::string_view word);

@@ -57,7 +57,7 @@ class DataReader {
         has_error_ = true;
     }
 
-    /// Reports an error after which the remainder has no usable meaning.
+    /// Reports an error that leaves the rest without a usable meaning.
     void fail_fatally(std::size_t column, std::string_view message) {
         fail(column, message);
         lost_ = true;
@@ -147,7 +147,7 @@ class DataReader {
                      words_[*read.field_word_index[field]].column);
     }
 
-    // Lines after a misspelled keyword belong to no known section.
+    // Lines that follow a misspelled keyword belong to no known section.
     void fail_unknown_keyword(const DataWord& first) {
         const bool number = parse_number<double>(first.text).has_value();
         if (number && section_)

@@ -24,9 +24,9 @@ inline constexpr std::size_t kSpaceAxes = 3;
 
 /// Form of a value in its line.
 enum class FieldForm {
-    positional,   ///< By its position after the entry's number.
-    named_field,  ///< NAME=VALUE, after the others.
-    choice,       ///< One of several words, after the values.
+    positional,   ///< By its position past the entry's number.
+    named_field,  ///< NAME=VALUE, past the others.
+    choice,       ///< One of several words that follow the values.
 };
 
 /// Meaning of a value.

@@ -6,7 +6,7 @@
 
 namespace gsim::machine {
 
-/// Reads the tables [[group]] of a machine file, after its axes and inverse have been read.
+/// Reads the tables [[group]] of a machine file, once its axes and inverse have been read.
 void read_groups(base::FirstError& error, base::TomlSection& file, Machine& machine);
 void print_groups(base::TomlWriter& out, const Machine& machine);
 

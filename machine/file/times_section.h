@@ -19,7 +19,7 @@ const double* word_time(std::string_view key, const WordTimes& times);
 
 /// Returns the keys of the table, except those of codes.
 std::vector<std::string> named_time_keys();
-/// Returns the keys of all times above 0, those of codes after the others.
+/// Returns the keys of all times above 0, those of codes last.
 std::vector<std::string> nonzero_time_keys(const WordTimes& times);
 
 /// Writes it as it is read; writes nothing if no word takes time.

@@ -20,7 +20,7 @@ bool is_same_name(std::string_view a, std::string_view b) {
     return text::upper(a) == text::upper(b);
 }
 
-// Returns the value without the remark that many write after it.
+// Returns the value without a trailing remark, which many write.
 std::string_view strip_comment(std::string_view value) {
     for (std::size_t at = 1; at < value.size(); ++at) {
         const bool blank_before = value[at - 1] == ' ' || value[at - 1] == '\t';

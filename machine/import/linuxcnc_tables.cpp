@@ -36,7 +36,7 @@ bool is_rotary(char letter) {
     return letter >= 'A' && letter <= 'C';
 }
 
-// Calls take(line, number) for each line with content, until it returns an error.
+// Calls read_line(line) for each line with content, until it returns an error.
 template <typename LineHandler>
 Result<void> for_each_line(std::string_view text, std::string_view file_name, LineHandler read_line) {
     std::size_t at = 0;

@@ -39,7 +39,7 @@ constexpr std::string_view name(CarriedPart carries) {
 enum class RotaryMode {
     limited,   ///< Full turns count: 370 is not 10.
     shortest,  ///< An angle is reached in the shorter direction.
-    unwind,    ///< Full turns are made, but subtracted from the reading after they are made.
+    unwind,    ///< Full turns are made, but then subtracted from the reading.
 };
 
 /// One row of a Denavit-Hartenberg table (standard convention: Rz(theta) Tz(d) Tx(a) Rx(alpha)); the joint's
@@ -74,10 +74,10 @@ struct Axis {
     double zero = 0;  ///< Reading of the axis at the joint's zero.
     DhRow dh = {};
     /// From the joint before to this one, whose motion is along or about its Z unless `direction` gives
-    /// another one. If both are given, `dh` comes after the motion.
+    /// another one. If both are given, `dh` follows the motion.
     std::optional<Frame> frame = std::nullopt;
     /// Alternative to `dh`: the direction in which the tool moves, or turns, relative to the work as the
-    /// value grows. It is in the axes of the frame of the joint before (after `frame`, if given).
+    /// value grows. It is in the axes of the frame of the joint before (with `frame` applied, if given).
     std::optional<AxisDirection> direction = std::nullopt;
     CarriedPart carries = CarriedPart::tool;
     RotaryMode turning = RotaryMode::limited;

@@ -19,7 +19,7 @@ struct NumberRange {
     bool exclusive_min = false;    ///< The least itself is not permitted.
     bool exclusive_max = false;    ///< Nor is the greatest.
     bool allows_zero = false;      ///< 0 is one of them, too,
-    bool allows_infinite = false;  ///< or "inf" (and "-inf" if `least` is below 0).
+    bool allows_infinite = false;  ///< or "inf" (and "-inf" if `min` is below 0).
     bool integer_only = false;
 };
 inline constexpr NumberRange kFinite{};

@@ -53,7 +53,7 @@ Dynamics::Dynamics(const kinematics::Chain& chain, const DynamicsModel& model)
     work_side_ = make_links(chain.work_side(), model, model.work, false);
 }
 
-// Bodies that are fixed after the last joint move with its link.
+// Bodies that are fixed past the last joint move with its link.
 std::vector<Dynamics::Link> Dynamics::make_links(const kinematics::Branch& branch, const DynamicsModel& model,
                                                  const RigidBody& carried_body, bool tool) const {
     std::vector<Link> links;
@@ -103,7 +103,7 @@ Dynamics::State Dynamics::world() {
     return {Eigen::Isometry3d::Identity(), none, none, none, none, none};
 }
 
-// Returns the state of the link after `before`, with its joint at `value` and these first and second
+// Returns the state of the link that follows `before`, with its joint at `value` and these first and second
 // derivatives.
 Dynamics::State Dynamics::state_after(const State& before, const Link& link, double value, double rate,
                                       double second) {
@@ -147,7 +147,8 @@ void Dynamics::add_body(const RigidBody& body, const State& state, Loads& loads)
 }
 
 // Speeds and accelerations are computed outwards, with gravity as an acceleration of the world upwards;
-// forces inwards. `free`: without gravity, speeds and hoses, so that the acceleration alone counts.
+// forces inwards. `acceleration_only`: without gravity, speeds and hoses, so that the acceleration alone
+// counts.
 void Dynamics::add_efforts(const std::vector<Link>& links, const Motion& motion, bool acceleration_only,
                            Efforts& efforts) const {
     if (links.empty()) return;
@@ -160,7 +161,7 @@ void Dynamics::add_efforts(const std::vector<Link>& links, const Motion& motion,
                                          acceleration_only ? 0 : in_si(joint, motion.velocity[joint]),
                                          in_si(joint, motion.acceleration[joint]));
     }
-    Loads loads;  // of a link and all links after it, about its point
+    Loads loads;  // of a link and all that follow it, about its point
     for (std::size_t i = links.size(); i-- > 0;) {
         add_body(links[i].body, states[i], loads);
         if (!acceleration_only) add_hoses(links[i], states[i], loads);

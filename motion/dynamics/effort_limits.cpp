@@ -35,7 +35,7 @@ double time_s(double length, double speed, double up, double down) {
 }  // namespace
 
 /// Components of efforts at a position: for speeds as parts u of the top one at_standstill + u linear + u^2
-/// square, and for each unit of an acceleration `moved`.
+/// quadratic, and for each unit of an acceleration `moved`.
 struct EffortLimits::EffortTerms {
     JointPos at_standstill;
     JointPos linear;
@@ -188,7 +188,7 @@ EffortLimits::AccelerationBounds EffortLimits::line_acceleration_bounds(const Ef
     return {up * field.shares, down * field.shares, up, down};
 }
 
-/// Returns the remainder of each motor after all efforts without acceleration; below 0: nothing.
+/// Returns what all efforts without acceleration leave of each motor; below 0: nothing.
 JointPos EffortLimits::available_efforts(const EffortField& field, double part) const {
     JointPos available = JointPos::Constant(field.shares.size(), kUnlimited);
     for (Eigen::Index joint = 0; joint < available.size(); ++joint) {

@@ -26,7 +26,7 @@ Motor::Motor(double peak, const std::vector<double>& speeds, const std::vector<d
     }
     for (std::size_t i = 0; i < speeds.size(); ++i) {
         if (i > 0 &&
-            (peaks[i - 1] > peak) != (peaks[i] > peak)) {  // point at which the curve crosses the peak
+            (peaks[i - 1] > peak) != (peaks[i] > peak)) {  // the point where the curve crosses the peak
             const double share = (peak - peaks[i - 1]) / (peaks[i] - peaks[i - 1]);
             if (share > 0 && share < 1)
                 effort_curve_.push_back({std::lerp(speeds[i - 1], speeds[i], share), peak});

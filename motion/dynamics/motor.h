@@ -20,8 +20,8 @@ class Motor {
     double top_speed() const { return top_speed_; }
     /// Returns the min peak up to a speed.
     double min_peak(double speed) const;
-    /// An effort of at_standstill + linear u + square u^2. min_reserve() returns the min remainder of the
-    /// peak over u from 0 to `most`, at the speed u `speed_scale`.
+    /// An effort of at_standstill + linear u + quadratic u^2. min_reserve() returns the min remainder of the
+    /// peak over u from 0 to `max`, at the speed u `speed_scale`.
     struct Effort {
         double at_standstill = 0;
         double linear = 0;

@@ -29,7 +29,7 @@ struct EffortSample {
 };
 
 /// Integration over segments by their closed forms. Efforts are smooth between the ends of the parts of the
-/// time laws and the positions at which joints turn back. In between, each part is integrated by the rule of
+/// time laws and the positions where joints turn back. In between, each part is integrated by the rule of
 /// Lobatto with its extension of Kronrod (Gander, Gautschi: Adaptive Quadrature - Revisited, BIT 40, 2000),
 /// and halved until both agree.
 class SegmentEfforts {
@@ -39,7 +39,7 @@ class SegmentEfforts {
 
     using SampleHandler = std::function<void(const EffortSample&)>;
 
-    /// Returns the sums of a segment. `look` receives each instant that is evaluated, including the ends of
+    /// Returns the sums of a segment. `visit` receives each instant that is evaluated, including the ends of
     /// each smooth part (from inside, if accelerations jump); in no order.
     EffortSums sums(const motion::Segment& segment, const SampleHandler& visit);
 

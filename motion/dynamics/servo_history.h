@@ -39,8 +39,8 @@ class ServoHistory {
     Step release_spare() { return std::move(spare_); }
     void add(Step step);
 
-    /// Returns the set points at an instant up to the end of the last step, as far back as length_s() or in
-    /// one of the last three steps.
+    /// Returns the set points at an instant up to the end of the last step, as far back as the longest delay
+    /// or in one of the last three steps.
     rrs::JointPos set_points(double t_s) const;
     /// Returns the actual positions of the joints.
     rrs::JointPos positions(double t_s) const;

@@ -21,7 +21,7 @@ struct ServoLoop {
     double lag_s = 0;
     double delay_s = 0;
 
-    /// Returns the lag of the joint from its set point, as a time, at a constant speed.
+    /// Returns how far the joint lags behind its set point, as a time, at a constant speed.
     double constant_speed_lag_s() const { return (1 - velocity_share) / gain_1_s + delay_s; }
     /// Returns the decay rate of the slowest part of an error, which decays as exp(-slowest_1_s() t);
     /// infinite if no such part exists.

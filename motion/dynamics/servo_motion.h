@@ -33,7 +33,7 @@ class ServoMotion {
 
     using StepHandler = std::function<void(const SetPointStep&)>;
 
-    /// Takes one loop for each joint. `turns`: true if the joint turns the tool or the work.
+    /// Takes one loop for each joint. `is_rotary`: true if the joint turns the tool or the work.
     ServoMotion(std::vector<ServoLoop> loops, std::vector<bool> is_rotary, double step_s = kStep_s);
 
     /// Sets all joints to this position at time 0, without an error.

@@ -28,7 +28,7 @@ struct Link {
     std::optional<DhLink> row = std::nullopt;  ///< The row that it was made of, if it was.
 };
 
-/// Returns a link for a row of a Denavit-Hartenberg table: all fixed transformations come after the motion.
+/// Returns a link for a row of a Denavit-Hartenberg table: all fixed transformations follow the motion.
 Link make_link(int joint, const DhLink& row);
 
 /// Joints in sequence: from the world over `base` to the first one, from the last one to `end`.
@@ -57,7 +57,7 @@ class Chain {
     /// Returns the tool centre point in the work frame. `joints` holds joint_count() values.
     rrs::CartPos forward(const rrs::JointPos& joints) const;
 
-    /// Returns frames in the world, two more than the tool's side has links: its base, that after each link,
+    /// Returns frames in the world, two more than the tool's side has links: its base, the end of each link,
     /// the tool.
     std::vector<rrs::CartPos> tool_frames(const rrs::JointPos& joints) const;
     /// Returns the same for the work's side; the last one is the work frame.

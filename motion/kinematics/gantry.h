@@ -19,7 +19,7 @@ namespace gsim::kinematics {
 /// come in any order, each on the tool side or the work side. The rotary axes are head-head, head-table or
 /// table-table, with the TCP on the rotation point or off it. The inverse is in closed form. The machine,
 /// seen from the work, is one product of exponentials (ScrewChain), in which only the revolute joints turn
-/// the tool. After their angles are found (RotaryAxes), the TCP position is a linear function of the three
+/// the tool. Once their angles are found (RotaryAxes), the TCP position is a linear function of the three
 /// prismatic joints.
 class GantryKinematics : public Kinematics {
   public:

@@ -25,7 +25,7 @@ struct JointRange {
 };
 
 /// Head that turns the tool about the TCP. One joint turns about a fixed axis (the pole; vertical in most
-/// machines). The other joint, after it in the chain, tilts the tool away from the pole about an axis at
+/// machines). The other joint, further along the chain, tilts the tool away from the pole about an axis at
 /// right angles to it and to the tool.
 struct TiltingHead {
     int turn_joint = 0;

@@ -22,7 +22,7 @@ namespace gsim::kinematics {
 class NumericKinematics : public Kinematics {
   public:
     /// Returns the kinematics of a chain. `ranges` has an entry for each joint, or is empty if no limits
-    /// apply. `held` lists the indices of the joints that no search moves. The error is a message.
+    /// apply. `fixed` lists the indices of the joints that no search moves. The error is a message.
     static tl::expected<std::shared_ptr<const NumericKinematics>, std::string> make(
         Chain chain, std::vector<JointRange> ranges = {}, std::vector<int> fixed = {});
 

@@ -44,7 +44,7 @@ std::size_t plan_speeds(Queue& queue, double last_cruise_squared) {
     double next_full = 0, next_smooth = 0, peak = 0;
     bool next_speeds_up = true;
     std::size_t deceleration_end =
-        queue.size();  // end of the moves after the checked one that only slow down
+        queue.size();  // end of the moves that follow the checked one and only slow down
     for (std::size_t i = queue.size(); i-- > 0;) {
         QueuedMove& move = queue[i];
         move.speeds_up = move.smooth.entry < next_smooth + move.smooth.change;

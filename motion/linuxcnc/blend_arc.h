@@ -23,7 +23,7 @@ struct BlendSpeeds {
 struct BlendCircle {
     Eigen::Vector3d center;
     double cut_before = 0;  ///< Off the end of the leg before: mm of a line, rad of an arc.
-    double cut_after = 0;   ///< Off the begin of the leg after.
+    double cut_after = 0;   ///< Off the beginning of the next leg.
 };
 
 /// Returns speed and radius within the lengths and tolerances of both legs, or nullopt if they form no

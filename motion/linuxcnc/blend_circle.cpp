@@ -22,7 +22,7 @@ double center_distance(const Leg& leg, double blend_radius_mm) {
     return leg.turns_with_corner ? leg.radius_mm - blend_radius_mm : leg.radius_mm + blend_radius_mm;
 }
 
-// Returns the angle at the centre of the leg's circle between the corner and the point at which the blend
+// Returns the angle at the centre of the leg's circle between the corner and the point where the blend
 // touches.
 double arc_cut(const Leg& leg, const Corner& corner, const Vector3d& blend_center) {
     return angle_between(corner.point - leg.center, blend_center - leg.center);
@@ -38,8 +38,8 @@ BlendCircle line_line_circle(const Corner& corner, const BlendSpeeds& speeds) {
     return {corner.point + inward * (speeds.radius_mm / std::sin(speeds.half_angle_rad)), cut_mm, cut_mm};
 }
 
-// Returns the distance from the corner to the point at which a circle touches a line that leads away along
-// `outwards`. The circle must also touch that of the other leg. `inwards` is the line's normal towards the
+// Returns the distance from the corner to the point where a circle touches a line that leads away along
+// `outwards`. The circle must also touch that of the other leg. `inward` is the line's normal towards the
 // inside of the corner.
 std::optional<double> line_cut(const Leg& arc, const Corner& corner, const Vector3d& outwards,
                                const Vector3d& inward, double radius_mm) {

@@ -7,7 +7,7 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// Time law under construction: parts of constant acceleration or jerk, one after the other, from 0 on.
+/// Time law under construction: consecutive parts of constant acceleration or jerk, from 0 on.
 class Law {
   public:
     double duration_s() const { return duration_s_; }

@@ -50,9 +50,9 @@ class MinJunctionSpeed {
 
 }  // namespace
 
-// The speed of each junction, computed backward, is the lesser of its cap and what the sub-segment after it
-// can brake. This is, for the first junction, the minimum of all caps, each raised by the rises in between.
-// So the search can stop if the rises alone exceed the minimum so far.
+// The speed of each junction, computed backward, is the lesser of its cap and what the next sub-segment can
+// brake. This is, for the first junction, the minimum of all caps, each raised by the rises in between. So
+// the search can stop if the rises alone exceed the minimum so far.
 JunctionSpeed junction_speed(const SubSegmentQueue& queue, std::size_t index, const Horizon& horizon) {
     MinJunctionSpeed lowest(junction_cap_squared(queue, index));
     double total_gain = 0;

@@ -23,7 +23,7 @@ bool flat(const PathMove& move) {
     return level && arc.radius_mm * (1 - std::cos(arc.sweep_rad / 2)) < move.merge_tolerance_mm;
 }
 
-/// True if a point is within `tolerance_mm` of the line from `start` by `way`.
+/// True if a point is within `tolerance_mm` of the line from `start` by `displacement`.
 bool is_within_box(double tolerance_mm, const Vector3d& point, const Vector3d& start,
                    const Vector3d& displacement) {
     const Vector3d to_point = point - start;

@@ -56,7 +56,7 @@ Profile braking(const Stretch& section, double start_speed, double end_speed);
 /// Returns how long before its end the last braking of a profile that ends at standstill falls below `speed`.
 double time_below_speed_s(const Profile& profile, double speed);
 
-/// Returns the profile after the motion `before` on the same path.
+/// Returns the profile that continues the motion `before` on the same path.
 Profile append_profile(const Law& before, const Profile& profile);
 
 }  // namespace gsim::motion::linuxcnc

@@ -62,7 +62,7 @@ bool is_on_lead_in(const QueuedSubSegment& queued, double to_s) {
            distance_at(queued, to_s) <= queued.sub_segment.lead_in.length;
 }
 
-// A blend arc belongs to the later move; the line on which it begins belongs to the earlier one.
+// A blend arc belongs to the later move; the line where it begins belongs to the earlier one.
 rrs::TargetId target_id_at(const QueuedSubSegment& queued, double to_s) {
     return is_on_lead_in(queued, to_s) ? queued.sub_segment.lead_in.target_id : queued.sub_segment.target_id;
 }

@@ -24,7 +24,7 @@ class Writer {
         QueuedSubSegment* queued;
         double from_s;
         double to_s;
-        const QueuedSubSegment* next;  ///< The sub-segment after it, if any.
+        const QueuedSubSegment* next;  ///< The next sub-segment, if any.
     };
 
     // Writes the front sub-segment. Returns true if it is done.

@@ -51,7 +51,7 @@ struct SubSegmentJunctions {
     double end_corner_share = 0;
 };
 
-/// Straight line on which a blend arc begins.
+/// Straight line where a blend arc begins.
 struct LeadIn {
     double length = 0;
     rrs::TargetId target_id = 0;
@@ -104,7 +104,7 @@ double effective_radius_mm(const Arc& arc);
 /// path.
 void limit_on_arc(SubSegment& sub_segment, const PlanningRules& planning);
 
-/// Makes the limits final, after the next sub-segment is known. Not called for the last one before a stop of
+/// Makes the limits final, once the next sub-segment is known. Not called for the last one before a stop of
 /// the queue.
 void finalize(SubSegment& sub_segment, const PlanningRules& planning);
 

@@ -16,10 +16,10 @@ struct PathPart {
     double scale = 1;      ///< Path length divided by the length that is used for timing.
 };
 
-/// Returns the part between two lengths, both on the lead-in or both after it.
+/// Returns the part between two lengths, both on the lead-in or both past it.
 PathPart path_part(const SubSegment& sub_segment, const Axes& axes, double from, double to);
 
-/// Returns the joints after a path length.
+/// Returns the joints at a path length.
 rrs::JointPos joints_at(const SubSegment& sub_segment, const Axes& axes, double length);
 
 }  // namespace gsim::motion::linuxcnc

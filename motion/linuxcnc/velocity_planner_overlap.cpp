@@ -1,4 +1,4 @@
-// A sub-segment has its full acceleration until the next one starts, since release 2.10. After that it has
+// A sub-segment has its full acceleration until the next one starts, since release 2.10. From then on it has
 // half of it, which is too little for its remaining distance: it arrives with speed, and stops within a
 // period.
 
@@ -38,8 +38,8 @@ Law VelocityPlanner::start_law(const SubSegment& sub_segment) const {
     return start;
 }
 
-/// Returns the profile of the last sub-segment of a group that stops, with half of the acceleration after the
-/// next one starts.
+/// Returns the profile of the last sub-segment of a group that stops, with half of the acceleration from the
+/// start of the next one on.
 Profile VelocityPlanner::late_overlap_profile(const SubSegmentQueue& queue, const Profile& profile) const {
     const SubSegment& sub_segment = queue[next_].sub_segment;
     const SubSegment& next = queue[next_ + 1].sub_segment;

@@ -16,7 +16,7 @@ Stretch VelocityPlanner::make_path_section(const SubSegment& sub_segment) const 
 }
 
 /// Returns the motion of the next sub-segment, or of its part up to an override change. The other part is
-/// then a sub-segment after it.
+/// then the next sub-segment.
 Profile VelocityPlanner::overridden_profile(SubSegmentQueue& queue, LimitKind& slowed_by) {
     const double start_s = group_start_s_ + group_.duration_s;
     overrides_ = schedule_->at(start_s);

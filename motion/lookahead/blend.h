@@ -35,14 +35,14 @@ struct BlendedCorner {
 
 /// Returns the blend of two lines with the same measure. It is as fast as the tolerances, half of either
 /// line, and the accelerations and jerks of the joints and of the path allow. Jerks count if the controller
-/// limits them. It is no faster than `most`, and no larger than that speed needs. Returns no blend and the
-/// speed 0 if nothing may be cut off; no blend and a speed if nothing has to be.
+/// limits them. It is no faster than `speed_cap`, and no larger than that speed needs. Returns no blend and
+/// the speed 0 if nothing may be cut off; no blend and a speed if nothing has to be.
 BlendedCorner blend_between(const PlannerSetup& setup, const Block& from, const Block& to, bool smooth,
                             double speed_cap);
 
 /// True if the blend of a corner takes less time than passing it exactly at `exact_speed`. Both cover the
-/// same distance, to and from the highest speed, at most `most`, that is reached from the blend on half of
-/// either line.
+/// same distance, to and from the highest speed, at most `speed_cap`, that is reached from the blend on half
+/// of either line.
 bool saves_time(const BlendedCorner& blended, double exact_speed, const Block& from, const Block& to,
                 double speed_cap);
 

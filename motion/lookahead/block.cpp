@@ -225,7 +225,7 @@ double tool_path_length_mm(const MasterJoints& master, const JointChanges& chang
     return blocks.path_measure == rrs::PathMeasure::all_axes ? linear_distance(changes) : master.length;
 }
 
-/// `asked` is the programmed speed, the only speed on which the mean acceleration depends.
+/// `requested` is the programmed speed, the only speed on which the mean acceleration depends.
 void use_stepped_ramps(double requested, Block& block) {
     const double speed = std::isfinite(requested) ? requested : block.max_speed;
     const double acceleration = std::min(block.acceleration, block.deceleration);

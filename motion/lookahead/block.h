@@ -66,7 +66,7 @@ struct Block {
 
     /// Returns the path length that blends leave.
     double distance() const { return std::max(master.length - entry_blend.cut - exit_cut, 0.0); }
-    /// Returns the joints after a path length, for a line.
+    /// Returns the joints at a path length, for a line.
     rrs::JointPos line_at(double length) const;
     LawLimits limits() const { return {max_speed, acceleration, deceleration, jerk}; }
 };

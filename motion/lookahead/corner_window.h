@@ -18,7 +18,7 @@ struct WindowSpeed {
 };
 
 /// Returns the speed at which the corner between the last block of `before` and `to` may be passed, at most
-/// `most`, given what the corners before it have already turned.
+/// `speed_cap`, given what the corners before it have already turned.
 WindowSpeed speed_in_window(const PlannerSetup& setup, const PrecedingBlocks& before, double speed_cap,
                             const Block& to);
 

@@ -75,8 +75,8 @@ void LookAhead::update_overrides(double now_s) {
     rejoin_corners(speed_caps);
 }
 
-/// Rebuilds the paths of corners at which both blocks may now be faster than `most`. A longer blend leaves
-/// less of its blocks for braking. All paths stay if the oldest block is too fast for that.
+/// Rebuilds the paths of corners where both blocks may now be faster than in `speed_caps`. A longer blend
+/// leaves less of its blocks for braking. All paths stay if the oldest block is too fast for that.
 void LookAhead::rejoin_corners(const std::vector<double>& speed_caps) {
     const std::deque<Block> before = window_;
     for (std::size_t i = 1; i < window_.size(); ++i) {

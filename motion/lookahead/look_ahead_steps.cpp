@@ -29,8 +29,7 @@ SteppedBlock make_stepped_block(const Block& block, double entry_speed, double e
             per_minute(block.steps->jerk, 3)};
 }
 
-/// Parts of one law, one after the other. Parts that only continue at the speed of the last one are merged
-/// into it.
+/// Parts of one law, in order. Parts that only continue at the speed of the last one are merged into it.
 class SectionMerger {
   public:
     bool has_space_for(const LawSection& section) const {
@@ -91,7 +90,7 @@ void LookAhead::emit_steps(const Block& block, double exit_speed, bool reaches_t
     emit(reaches_target);
 }
 
-/// Outputs a part of the block that begins `from` after its start.
+/// Outputs a part of the block that begins `from` past its start.
 void LookAhead::emit_sections(const Block& block, const TimeLaw& law, double from, LimitCause limited_by,
                               bool reaches_target) {
     constexpr double kSameEnd = 1e-6;  // relative: lengths are of 32 bits

@@ -23,7 +23,7 @@ class Dwells {
     /// Enqueues a dwell from 0 to kMaxDuration_s. Errors: RRS_INVALID_PARAMETER, RRS_QUEUE_FULL,
     /// RRS_NO_INITIAL_POSITION.
     PlanResult enqueue(rrs::TargetId id, double dwell_s);
-    /// Appends a programmed dwell, as the controller counts it, after the motion that was enqueued before.
+    /// Appends a programmed dwell, as the controller counts it, to follow the motion enqueued so far.
     void append(rrs::TargetId id, double dwell_s);
     /// Plans a model's pending moves to end at standstill. The controller then waits for its program if
     /// `waits`, which takes its dwell_s if anything has moved since it did so last.

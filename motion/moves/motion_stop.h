@@ -31,7 +31,7 @@ class MotionStop {
     PlanResult stop();
     /// Continues a stopped motion.
     void resume();
-    /// Drops the remainder of a stopped motion, and what is queued after it.
+    /// Drops the remainder of a stopped motion, and what is queued behind it.
     void cancel();
     /// Returns to the state without a stopped motion.
     void restart() { stopped_.reset(); }

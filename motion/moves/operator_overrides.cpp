@@ -24,7 +24,7 @@ void cap_ramps(const LawLimits& before, LawLimits& limits) {
 /// Remainder of an active move, and the law by which it would continue.
 struct OperatorOverrides::ActiveMove {
     PathMove move;
-    double length = 0;  ///< By the measure of its lead.
+    double length = 0;  ///< By the measure of its master law.
     TimeLaw law;
     LawLimits limits;
     LimitCause limited_by;

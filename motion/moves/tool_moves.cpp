@@ -56,8 +56,8 @@ bool ToolMoves::accepts(const Move& move) const {
            (move.goal.pose && rotary_joints_move_tcp(machine_.setup(), move.goal.pose->tool.translation()));
 }
 
-/// Returns `via` as a position of the controlled point. It is taken from the pose if joints are `led` on the
-/// path, because the joints that would reach it are known only on the path.
+/// Returns `via` as a position of the controlled point. It is taken from the pose if the machine has fixed
+/// joints, because the joints that would reach it are known only on the path.
 tl::expected<Eigen::Vector3d, PlanError> ToolMoves::via_point(const Move& move) const {
     if (move.via->pose && machine_.has_fixed_joints())
         return Eigen::Vector3d(move.via->pose->pose.translation());

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The path by its own length s: radius = start radius + radial s, radius dphi/ds = around, lift = climb s.
-// The three are constant and radial^2 + around^2 + climb^2 = 1.
+// The path by its own length s: radius = start radius + radial s, radius dphi/ds = tangential,
+// lift = ascent s. The three are constant and radial^2 + tangential^2 + ascent^2 = 1.
 struct ArcSlopes {
     double radial;
     double tangential;
@@ -179,8 +179,9 @@ double Arc::bulge_mm() const {
     return std::max(radius_mm, end_radius_mm) * (sweep_rad * sweep_rad + growth * growth) / 8;
 }
 
-// The coordinate's slope, with psi = phi - atan2(v, u), is amplitude (radial cos psi - around sin psi) +
-// climb = climb - amplitude pace sin(psi - lag).
+// The coordinate's slope, with psi = phi - atan2(v, u), is
+// in_plane(u, v) (radial cos psi - tangential sin psi) + ascent
+// = ascent - amplitude sin(psi - atan2(radial, tangential)).
 Range Arc::range(int axis) const {
     const double start = center[axis] + radius_mm * u[axis];
     const double end = at(sweep_rad)[axis];

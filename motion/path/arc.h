@@ -28,7 +28,7 @@ struct Arc {
     Eigen::Vector3d lift = Eigen::Vector3d::Zero();  ///< Travel along the axis over the full sweep (helix).
 
     double length_mm() const;
-    /// Returns the angle after a distance of `s_mm` along the arc.
+    /// Returns the angle at a distance of `s_mm` along the arc.
     double phi_at(double s_mm) const;
     /// Returns the distance along the arc up to an angle.
     double length_to(double phi_rad) const;

@@ -62,7 +62,7 @@ void limit_by_arc_jerk(const PlannerSetup& setup, const Arc& arc, MasterPath& ma
     if (std::isfinite(turning_jerk)) limit_by_rotation(turning_jerk, curvature, third, by, master);
 }
 
-// Solves (A - climb a)^2 = (around a)^2 + (share A)^2 for a.
+// Solves (A - ascent a)^2 = (tangential a)^2 + (centripetal_share A)^2 for a.
 void limit_by_oblique_helix(const PlannerSetup& setup, const Arc& arc, double centripetal_share,
                             MasterPath& master) {
     const double remaining = 1 - centripetal_share * centripetal_share;

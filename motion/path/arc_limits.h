@@ -10,7 +10,7 @@ namespace gsim::motion {
 /// jerks. A joint with the path p(s) over the path length s gets p' j + 3 p'' v a + p''' v^3. The second term
 /// is across the path on a circle of curvature k, and the others are along it. Each has at most 1 / (1 + sqrt
 /// 2) of the joint's jerk, so that their sum keeps it for any climb of the path along the joint. Must be
-/// called after all other limits are in the lead.
+/// called once all other limits are in `master`.
 void limit_by_arc_jerk(const PlannerSetup& setup, const Arc& arc, MasterPath& master);
 
 /// Limits the acceleration along a helix for each joint that is askew to both its plane and its axis. The

@@ -7,7 +7,7 @@
 
 namespace gsim::motion {
 
-/// Change of each joint in a move (mm or rad, signed). A change of up to `least` does not count: it is
+/// Change of each joint in a move (mm or rad, signed). A change of up to `min` does not count: it is
 /// rounding of frames and inverse kinematics, not motion.
 class JointChanges {
   public:

@@ -59,7 +59,7 @@ class OrientationArc {
     bool moves(int joint) const { return joint == head_.turn_joint || joint == head_.tilt_joint; }
     /// Returns the angle between the directions at both ends.
     double length_rad() const { return length_rad_; }
-    /// Returns the state after the angle `angle_rad` from the start.
+    /// Returns the state at the angle `angle_rad` from the start.
     HeadState at(double angle_rad) const;
     HeadBounds bounds() const;
     /// Returns the lowest and highest tilt (of the joint) on the path. The turning joint turns in only one

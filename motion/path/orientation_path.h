@@ -28,7 +28,7 @@ tl::expected<std::shared_ptr<const OrientationArc>, PlanError> orientation_betwe
 /// Lowers the limits of a leading path so that the head joints, which move evenly with it, keep their own
 /// limits all along the arc: |q'| v <= V, |q''| v^2 + |q'| a <= A, |q'''| v^3 + 3 |q''| v a + |q'| j <= J,
 /// with the bounds of the derivatives by path length. The speed gets at most half of an acceleration and a
-/// quarter of a jerk if the joint path is curved. Must be called after all other limits are in the lead.
+/// quarter of a jerk if the joint path is curved. Must be called once all other limits are in `master`.
 void limit_by_head(const PlannerSetup& setup, const OrientationArc& arc, MasterPath& master);
 
 /// Does the same, and applies the programmed speed and acceleration of orientation, which count along the

@@ -24,11 +24,11 @@ struct TcpPath {
     Arc arc = {};  ///< Only for a circular path.
 
     double length_mm() const;
-    /// Returns the point after a share of the path, 0 to 1.
+    /// Returns the point at a share of the path, 0 to 1.
     Eigen::Vector3d at(double share) const;
 };
 
-/// Motion of the joints that the inverse holds (`led` joints) in a move: evenly along the tool path, each
+/// Motion of the joints that the inverse holds (`group_joints`) in a move: evenly along the tool path, each
 /// from its position to its value. The path is one on the work, as the machine carries it, while a
 /// coordinated one moves. The path with other (synchronous) ones is as if these were at their values already.
 class GroupPath {
@@ -36,7 +36,7 @@ class GroupPath {
     GroupPath() = default;
     GroupPath(const PlannerSetup& setup, const rrs::JointPos& start, std::vector<GroupJoint> group_joints);
 
-    /// Returns `joints` with the `led` ones at their positions after a share of the path, 0 to 1.
+    /// Returns `joints` with the group joints at their positions at a share of the path, 0 to 1.
     rrs::JointPos set_coordinated(double share, const rrs::JointPos& joints) const;
     /// Returns `joints` with synchronous ones at their values: the tool is seen on its path with these.
     rrs::JointPos with_synchronous_joints(const rrs::JointPos& joints) const;
@@ -55,18 +55,18 @@ class ToolPath {
   public:
     virtual ~ToolPath() = default;
 
-    /// Returns the joints after a share of the path, 0 to 1; of several solutions the one close to `near`.
-    /// The error is a message.
+    /// Returns the joints at a share of the path, 0 to 1; of several solutions the one close to `near`. The
+    /// error is a message.
     virtual tl::expected<rrs::JointPos, std::string> joints_at(double share,
                                                                const rrs::JointPos& near) const = 0;
     /// Returns the TCP in the frame in which the path is given: the work frame, except with synchronous
     /// groups (GroupPath).
     virtual rrs::CartPos tool_pose(const rrs::JointPos& joints) const = 0;
     /// Returns the measure of the path, or its length: mm of the controlled point, or rad if only the tool
-    /// turns. The `led` joints give it if neither moves. A length of 0 means that no path exists.
+    /// turns. The group joints give it if neither moves. A length of 0 means that no path exists.
     JointRole role() const;
     double length() const;
-    /// Returns how far the tool turns, and the `led` joints, rad.
+    /// Returns how far the tool turns, and the group joints, rad.
     double turn_rad() const { return turn_rad_ + group_joints_.turn_rad(); }
     const TcpPath& tcp_path() const { return tcp_path_; }
     /// Returns the controlled point in the frame of the tool centre point.
@@ -103,7 +103,8 @@ std::unique_ptr<ToolPath> make_slide_compensated_path(const PlannerSetup& setup,
 
 /// Returns a path on which a tool frame, `tool` in that of the tool centre point, turns evenly about one
 /// axis. It turns from its pose with the joints at `start` to `end`, a pose in the work frame. Its origin
-/// moves along `way` meanwhile, and the joints of `led` along theirs. `setup` must outlive the path.
+/// moves along `tcp_path` meanwhile, and the joints of `group_joints` along theirs. `setup` must outlive the
+/// path.
 std::unique_ptr<ToolPath> make_pose_path(const PlannerSetup& setup, TcpPath tcp_path,
                                          const rrs::CartPos& tool, const rrs::JointPos& start,
                                          const rrs::CartPos& end, GroupPath group_joints = {});

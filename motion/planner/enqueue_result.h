@@ -18,7 +18,7 @@ using StopSearch = std::function<std::optional<double>(const Segment&)>;
 struct MotionTimeIncrease {
     double actual_s = 0;
     double requested_s = 0;
-    bool is_lower_bound = false;  ///< True if the time is only known after the following moves.
+    bool is_lower_bound = false;  ///< True if the time is only known from the following moves.
 };
 
 /// Returns the same as a result: RRS_MOTION_TIME_RAISED and a message.

@@ -49,7 +49,7 @@ class SegmentOutput {
     virtual ~SegmentOutput() = default;
     /// Returns the slot of the next segment with its previous content, except for its target and its position
     /// joints: no followers, no superimposed motion, no orientation path, no deviation. The model fills in
-    /// kind, start, end, arc, length_mm, duration_s and lead.
+    /// kind, start, end, arc, length_mm, duration_s and master.
     virtual Segment& begin(rrs::TargetId id) = 0;
     /// Notes that the slot of begin() is filled: the segment starts at the end of the previous one.
     virtual void finish() = 0;

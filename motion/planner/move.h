@@ -53,7 +53,7 @@ struct Move {
     /// TCP control: the point that follows the path, in the frame of the tool centre point.
     std::optional<Eigen::Vector3d> tcp_mm;
     MoveParameters move_parameters;
-    double dwell_s = 0;  ///< Dwell after it, with the same id.
+    double dwell_s = 0;  ///< Dwell that follows, with the same id.
 };
 
 }  // namespace gsim::motion

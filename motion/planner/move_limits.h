@@ -31,7 +31,7 @@ class MoveLimits {
   public:
     virtual ~MoveLimits() = default;
     /// Sets the accelerations and decelerations in `joints` to values that hold all along the path, at all
-    /// speeds up to way.max_speed, which it may lower. Error: RRS_INVALID_PARAMETER if no values do.
+    /// speeds up to path.max_speed, which it may lower. Error: RRS_INVALID_PARAMETER if no values do.
     virtual PlanResult limit(LimitedPath& path, std::vector<JointSetup>& joints) const = 0;
 };
 

@@ -49,8 +49,8 @@ class OverrideSchedule {
     Overrides at(double t_s) const;
     /// Returns the first change after an instant; infinite if none follows.
     double next_change_s(double t_s) const;
-    /// Returns the first instant from `t_s` on at which `obeyed` lets a move run: `t_s`, or the end of a
-    /// hold.
+    /// Returns the first instant from `t_s` on at which `enabled_overrides` let a move run: `t_s`, or the end
+    /// of a hold.
     double release_time_s(double t_s, const EnabledOverrides& enabled_overrides, bool is_rapid) const;
 
   private:

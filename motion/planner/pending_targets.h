@@ -24,15 +24,15 @@ class PendingTargets {
     std::optional<rrs::TargetId> first() const {
         return ids_.empty() ? std::nullopt : std::optional(ids_.front());
     }
-    /// Notes that the motion that reaches `id` is known. Calls `passed` with each target before it, for which
-    /// the model made no motion.
+    /// Notes that the motion that reaches `id` is known. Calls `on_passed` with each target before it, for
+    /// which the model made no motion.
     template <typename Passed>
     void reached(rrs::TargetId id, const Passed& on_passed) {
         if (!has(id)) return;
         for (; ids_.front() != id; ids_.pop_front()) on_passed(ids_.front());
         ids_.pop_front();
     }
-    /// Removes all targets. `passed` as in reached().
+    /// Removes all targets. `on_passed` as in reached().
     template <typename Passed>
     void mark_all_reached(const Passed& on_passed) {
         for (; !ids_.empty(); ids_.pop_front()) on_passed(ids_.front());

@@ -13,7 +13,7 @@ class RobotPosition {
     /// Returns the values; 0 before they are set.
     const rrs::JointPos& joints() const { return joints_; }
     bool is_set() const { return is_set_; }
-    /// Sets the position from which the first move begins.
+    /// Sets the position where the first move begins.
     void start_at(const rrs::JointPos& joints) {
         joints_ = joints;
         is_set_ = true;

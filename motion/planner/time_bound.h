@@ -72,7 +72,7 @@ class TimeBound {
     /// Notes that the machine is at standstill here.
     void stop();
     /// Changes the measure of lengths from here on (mm of the tool, then rad of a rotary joint), so that the
-    /// speeds before and after are unrelated.
+    /// speeds on both sides are unrelated.
     void change_measure();
 
     /// Returns the bound for the path so far, as if it ended here. Evaluates the window. The bound is right
@@ -127,7 +127,7 @@ class TimeBound {
     JointLimits limits_;
     TimeBoundGrid grid_;
     std::vector<SubSegment> sub_segments_;  // the window
-    std::vector<JointCell> joints_;         // of its curves, part after part
+    std::vector<JointCell> joints_;         // of its curves, part by part
     double front_speed2_ = 0;               // the highest at the end of the last part, looking back
     double finalized_s_ = 0;                // the bound for the parts that left the window
 };

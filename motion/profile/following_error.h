@@ -8,7 +8,7 @@ namespace gsim::motion {
 /// that it began with `lag` (mm or rad, as the law). `gain_1_s` > 0.
 double lag_after(const TimeLaw& law, double lag, double gain_1_s);
 
-/// Output of a model that tracks how far a machine lags relative to the segments that pass through.
+/// Output of a model that tracks how far a machine lags behind the segments that pass through.
 ///
 /// The lag is that along the path. The lag of a joint is its share of that, exactly on straight paths. The
 /// remainder of one direction counts for the other after corners and curves, and no joint's lag is more than

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLengthRounding = 1e-12;
 constexpr double kNoAcceleration = 1e-9;  // relative to the ramp's
 
-/// Collector of law parts, one after the other.
+/// Collector of consecutive law parts.
 class LawBuilder {
   public:
     void add(double duration_s, double v0, double a0, double jerk) {
@@ -34,7 +34,7 @@ class LawBuilder {
     double s_ = 0;
 };
 
-/// Returns the remainder of a part after its first `t_s`.
+/// Returns the rest of a part from `t_s` on.
 LawSection section_remainder(const LawSection& section, double t_s) {
     return {section.duration_s - t_s, 0, section.v0 + t_s * (section.a0 + t_s * section.jerk / 2),
             section.a0 + t_s * section.jerk, section.jerk};

@@ -7,7 +7,7 @@ namespace gsim::motion {
 /// Returns the first `t_s` of a law.
 TimeLaw law_until(const TimeLaw& law, double t_s);
 
-/// Returns the law after its first `t_s`, from 0 again.
+/// Returns the law from `t_s` on, which begins at 0 again.
 TimeLaw law_from(const TimeLaw& law, double t_s);
 
 /// Returns a law, followed by a standstill until `duration_s`.

@@ -31,7 +31,7 @@ struct ScaledInterval {
     double end_rate;
 
     double duration_s() const { return 2 * (to_s - from_s) / (rate + end_rate); }
-    /// Returns the time in the plan, after a share of the duration.
+    /// Returns the time in the plan, at a share of the duration.
     double at_s(double share) const {
         return from_s + share * duration_s() * (rate + share * (end_rate - rate) / 2);
     }
@@ -193,7 +193,7 @@ JointPeaks joint_peaks(const Segment& blend, double from_s, double to_s) {
     return demand;
 }
 
-/// Returns how fast the rate may change (1/s) if the plan takes `taken` of the joints' accelerations.
+/// Returns how fast the rate may change (1/s) if the plan takes `used` of the joints' accelerations.
 double max_rate_change(const JointPeaks& demand, const Eigen::ArrayXd& used,
                        const rrs::JointPos& acceleration) {
     double change = std::numeric_limits<double>::infinity();

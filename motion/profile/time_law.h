@@ -59,8 +59,8 @@ class TimeLaw {
     /// costs the limits no more than rounding. A path without length takes no time, for any speeds.
     static TimeLaw between(double length, double start_speed, double end_speed, const LawLimits& limits);
 
-    /// Returns the law made of `pieces`, at most kMaxSections of them. They must begin at s0 = 0, each at the
-    /// end of the one before it, and must not run backwards. Parts without duration are left out.
+    /// Returns the law made of `sections`, at most kMaxSections of them. They must begin at s0 = 0, each at
+    /// the end of the one before it, and must not run backwards. Parts without duration are left out.
     static TimeLaw from_sections(std::span<const LawSection> sections);
 
     static constexpr std::size_t kMaxSections =

@@ -24,8 +24,8 @@ double time_at_distance(const Segment& segment, double distance_mm) {
     return segment.start_s + high;
 }
 
-/// Returns the index of the segment that ends at the target, if it is known. A dwell after it has the same
-/// id.
+/// Returns the index of the segment that ends at the target, if it is known. A dwell that follows has the
+/// same id.
 std::optional<std::size_t> find_end_segment(rrs::TargetId target, const SegmentQueue& queue) {
     for (std::size_t i = 0; i < queue.size(); ++i) {
         if (queue[i].target_id == target && queue[i].reaches_target) return i;

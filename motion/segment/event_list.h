@@ -29,12 +29,12 @@ class EventList {
     bool cancel(int id);
     void clear();
 
-    /// Returns the time until which only known events can occur, if events before targets that are `held`
+    /// Returns the time until which only known events can occur, if events before targets in `pending`
     /// exist. `end_s` is the end of the queue.
     std::optional<double> known_until_s(const PendingTargets& pending, const SegmentQueue& queue,
                                         double end_s) const;
     /// Finds the events that occur in a step of the clock. `queue` has the segments that are active in it and
-    /// those after, as far as they are known. An event that occurred before the step but was not known then
+    /// the next ones, as far as they are known. An event that occurred before the step but was not known then
     /// keeps its time. It has the step's start if its time is not known any more either.
     void step(double from_s, double to_s, const SegmentQueue& queue);
     /// Notes that the front segment is about to leave the queue.
@@ -50,7 +50,7 @@ class EventList {
     struct Event {
         int id;
         rrs::TargetId target;
-        EventOffset offset;               ///< A distance after a target that has been reached: its remainder.
+        EventOffset offset;               ///< A distance past a target that has been reached: its remainder.
         std::optional<double> reached_s;  ///< When its target was reached, if its motion has left the queue.
         std::optional<double> at_s;       ///< When it came true, if that has left the queue.
     };

@@ -13,7 +13,7 @@ namespace gsim::motion {
 class Followers {
   public:
     /// Takes all moving joints except those of the role that leads, and of `orientation` if it is not null:
-    /// these move with the lead.
+    /// these move with the master law.
     Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
               JointRole master, const OrientationArc* orientation);
 
@@ -49,7 +49,7 @@ LawLimits other_joint_limits(const PlannerSetup& setup, const MoveRules& rules, 
                              int joint);
 
 /// True if a joint moves outside the tool path: it is not one of the role that leads, nor of `orientation` if
-/// that is not null, which move with the lead.
+/// that is not null, which move with the master law.
 bool moves_outside_path(const JointChanges& changes, JointRole master, const OrientationArc* orientation,
                         int joint);
 

@@ -44,7 +44,7 @@ void set_orientation_state(const OrientationArc& travel, const LawState& master,
     set_joint(travel.tilt_joint(), head.angles.tilt, head.first.tilt, head.second.tilt);
 }
 
-// A law that is shorter than its segment is at standstill after its end.
+// A law that is shorter than its segment is at standstill from its end on.
 LawState law_state(const Segment& segment, const TimeLaw& law, double t_s) {
     const bool waits = segment.is_uncoordinated() && t_s > law.duration_s();
     return waits ? LawState{law.length(), 0, 0} : law.at(t_s);

@@ -79,13 +79,13 @@ struct Segment {
     Arc arc;                                         ///< Arc of a circular segment, in the position joints.
     std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.
     TimeLaw master;           ///< Along the path: of its length in mm, or of the lead joints' norm.
-    LawLimits master_limits;  ///< Limits that the lead keeps, so far as they limit it; none in a dwell.
+    LawLimits master_limits;  ///< Limits that the law keeps, so far as they limit it; none in a dwell.
     LimitCause limited_by;
     /// Superimposed motion of the same duration, which adds its path to this one's; null in most segments
     /// (used by parabolic blends).
     std::shared_ptr<const Segment> superimposed;
-    /// Path of the joints that turn the tool, run evenly with the lead; null if they move in proportion or
-    /// follow.
+    /// Path of the joints that turn the tool, run evenly with the master law; null if they move in proportion
+    /// or follow.
     std::shared_ptr<const OrientationArc> orientation;
     /// Not 0 if each joint moves by its own limits, and arrives at its own time (rapids that are not
     /// interpolated): one leads, all others that move are followers. Bit j is set if the path of joint j is

@@ -22,8 +22,8 @@ class SegmentQueue {
     /// Returns a segment by its order, 0 at the front.
     const Segment& operator[](std::size_t index) const { return slots_[(first_ + index) % slots_.size()]; }
 
-    /// Returns the free slot after the last segment, with its previous content; it is part of the queue after
-    /// push(). The queue grows if it is full.
+    /// Returns the free slot past the last segment, with its previous content; push() makes it part of the
+    /// queue. The queue grows if it is full.
     Segment& next() {
         if (free_slots() == 0) grow();
         const std::size_t index = first_ + count_;

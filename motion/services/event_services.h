@@ -6,7 +6,7 @@
 namespace gsim::motion {
 
 /// Services for the events at an offset from reaching a target. Each service function does the same as the
-/// service of its name, after Initialize.
+/// service of its name. It requires Initialize.
 class EventServices {
   public:
     /// Makes the services for a planner's events, which must outlive them.

@@ -11,7 +11,7 @@
 namespace gsim::motion {
 
 /// Services for the frames of a cell, and the frames in which steps are reported. Each service function does
-/// the same as the service of its name, after Initialize and with a cell.
+/// the same as the service of its name. It requires Initialize and a cell.
 class FrameServices {
   public:
     /// Makes the services of a planner for clients with `selections`; both must outlive them.

@@ -6,7 +6,7 @@
 
 namespace gsim::motion {
 
-/// Services that compute poses and joint values. Each does the same as the service of its name, after
+/// Services that compute poses and joint values. Each does the same as the service of its name. It requires
 /// Initialize.
 class KinematicsServices {
   public:

@@ -61,7 +61,7 @@ Status ObjectServices::get_next_object_step(rrs::CartPos& pose, double& elapsed_
     return step.status;
 }
 
-/// The object begins at the program's current time, or after its targets so far.
+/// The object begins at the program's current time, or once its targets so far are reached.
 void ObjectServices::move_object(const rrs::CartPos& pose, double duration_s) {
     if (!object_frame_) return;
     planner_.dwells().plan_to_standstill(true);

@@ -12,7 +12,7 @@
 namespace gsim::motion {
 
 /// Services for the object that is moved in a cell. Each service function does the same as the service of its
-/// name, after Initialize.
+/// name. It requires Initialize.
 class ObjectServices {
   public:
     /// Makes the services of a planner for clients with `selections`. All must outlive them.

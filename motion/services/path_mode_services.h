@@ -6,7 +6,7 @@
 namespace gsim::motion {
 
 /// Services that select how the targets that follow are passed, and the rule for the time of a path. Each
-/// service function does the same as the service of its name, after Initialize.
+/// service function does the same as the service of its name. It requires Initialize.
 class PathModeServices {
   public:
     /// Makes the services of `selections`, which must outlive them. `can_pass_targets`: the planner's moves

@@ -63,7 +63,7 @@ Status PlannerShell::not_supported(std::string_view service) {
          .message = fmt::format("The default planner does not support the service {}.", service)});
 }
 
-// The frames of the cell are selected after the selections have their defaults.
+// The frames of the cell are selected once the selections have their defaults.
 void PlannerShell::restart() {
     planner_.restart();
     selections_ = {};

@@ -7,7 +7,7 @@
 namespace gsim::motion {
 
 /// Services that change rules of the machine for the targets that follow: corners, exact stops and
-/// orientation. Each function does the same as the service of its name, after Initialize.
+/// orientation. Each function does the same as the service of its name. It requires Initialize.
 class RuleServices {
   public:
     /// Makes the services of `selections` for a planner's machine; both must outlive them.

@@ -20,7 +20,7 @@ struct Selections {
     rrs::TargetType target_type = rrs::TargetType::joint;
     rrs::MotionType motion_type = rrs::MotionType::joint;
     MoveParameters move_parameters;         ///< motion_time_s for the next target alone.
-    double dwell_s = 0;                     ///< Dwell after only the next target.
+    double dwell_s = 0;                     ///< Dwell at only the next target.
     std::optional<Eigen::Vector3d> tcp_mm;  ///< Under tool-centre-point control, in the tool's frame.
     /// Frames of Cartesian targets: those of these names, else the TCP and the work frame.
     WorkFrames frames;

@@ -10,7 +10,7 @@
 namespace gsim::motion {
 
 /// Services that set speeds, accelerations and ramps for the targets that follow. Each service function does
-/// the same as the service of its name, after Initialize.
+/// the same as the service of its name. It requires Initialize.
 class SpeedServices {
   public:
     /// Makes the services of `selections` for a planner's machine; both must outlive them.

@@ -10,7 +10,7 @@
 namespace gsim::motion {
 
 /// Services that step along the motion, stop and continue it. Each service function does the same as the
-/// service of its name, after Initialize.
+/// service of its name. It requires Initialize.
 ///
 /// StopMotion brakes from the instant of GetNextStep; GetNextStep then continues to the stop. Targets are
 /// rejected until ContinueMotion or CancelMotion (RRS_QUEUE_FULL). Events occur in the steps of GetNextStep.

@@ -9,7 +9,7 @@
 namespace gsim::motion {
 
 /// Services for targets: their type, their motion and its end. A target becomes a Move with all selections of
-/// the client. Each service function does the same as the service of its name, after Initialize.
+/// the client. Each service function does the same as the service of its name. It requires Initialize.
 class TargetServices {
   public:
     /// Makes the services of a planner for clients with `selections`; both must outlive them.

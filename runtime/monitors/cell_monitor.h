@@ -40,8 +40,7 @@ class CellMonitor final : public RunOutput, public motion::CellFrames {
     void set_time_limit(os::CpuLimit* cpu) { monitor_.set_time_limit(cpu); }
     const CellOptions& use() const { return options_; }
     const machine::Machine& machine() const { return machine_; }
-    /// Receiver of each segment after its check, in their order, while the frames of cell() are at their
-    /// poses in it.
+    /// Receiver of the checked segments, in order, while the frames of cell() are at their poses in it.
     using SegmentListener = std::function<void(const motion::Segment& segment, const MoveInfo& info)>;
     void set_segment_listener(SegmentListener follower) { segment_listener_ = std::move(follower); }
     /// Returns how often frames of cell() have been moved so far.

@@ -30,7 +30,7 @@ struct FollowingInstant {
     /// part, until the axes are in their bands.
     std::optional<double> contour_error_mm;
     /// The same from the programmed path, if that is known. It may be unknown while something else moves the
-    /// axes at the same time (a belt, an axis group). This lasts until they are in their bands after that.
+    /// axes at the same time (a belt, an axis group). This lasts until they are in their bands again.
     std::optional<double> program_deviation_mm;
 };
 
@@ -56,7 +56,7 @@ class FollowingMotion {
     rrs::JointPos errors(double t_s) const;
     /// Ignores the TCP.
     bool is_in_position(const rrs::JointPos& errors) const;
-    /// Returns the time after which a remainder of an error is below 1e-8 of it.
+    /// Returns the time that an error needs to decay to 1e-8 of itself.
     double longest_s() const { return settling_time_s_; }
 
   private:

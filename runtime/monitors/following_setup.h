@@ -12,7 +12,7 @@ namespace gsim::simulation {
 struct FollowingSetup {
     const machine::Machine& machine;
     const motion::PlannerSetup& planner;
-    const std::vector<Eigen::Vector3d>& tcp_offsets_mm;  ///< Indexed by MoveInfo::tip.
+    const std::vector<Eigen::Vector3d>& tcp_offsets_mm;  ///< Indexed by MoveInfo::tcp.
 };
 
 }  // namespace gsim::simulation

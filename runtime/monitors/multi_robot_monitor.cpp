@@ -131,7 +131,7 @@ void MultiRobotMonitor::discard_passed() {
 
 // --- Checks ---
 
-/// Returns a part by its number; after the last one the robot is at standstill.
+/// Returns a part by its number; past the last one the robot is at standstill.
 const MultiRobotMonitor::TrackSegment& MultiRobotMonitor::sub_segment(const Track& track,
                                                                       std::size_t number) {
     const std::size_t index = number - track.first;

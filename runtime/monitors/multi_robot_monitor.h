@@ -63,8 +63,8 @@ class MultiRobotMonitor {
     /// Gives that process the zone from a time on up to which not all is known yet; nullopt: the zone is
     /// free.
     void assign_zone(std::size_t zone, double time_s, std::optional<ZoneHolder> holder);
-    /// Gives that process the robot from a time on, likewise; it counts as the owner also after it releases
-    /// the robot. A robot that no process has had disturbs none in a zone.
+    /// Gives that process the robot from a time on, likewise; it still counts as the owner once it has
+    /// released the robot. A robot that no process has had disturbs none in a zone.
     void assign_robot(std::size_t robot, double time_s, std::size_t process);
 
     /// Ends the run: from there on all robots stay at their positions.
@@ -94,10 +94,10 @@ class MultiRobotMonitor {
         const MachineMotion* motion = nullptr;  ///< Null for a zone.
         CellMonitor* cell = nullptr;
         std::shared_ptr<const kinematics::Kinematics> kinematics = {};  ///< From the machine file.
-        std::uint64_t frame_changes = 0;  ///< At which `standing` has the bodies.
+        std::uint64_t frame_changes = 0;  ///< At which `standstill` has the bodies.
         std::deque<TrackSegment> sub_segments = {};
         std::size_t first = 0;           ///< Number of the first of those, from the start of the run on.
-        TrackSegment standstill = {};    ///< State after them.
+        TrackSegment standstill = {};    ///< State past their end.
         std::vector<Owner> owners = {};  ///< In the order of time.
         bool moved = false;
     };
@@ -119,7 +119,7 @@ class MultiRobotMonitor {
         std::array<std::shared_ptr<const cell::MachineBodies>, 2> bodies = {};
         double time_s = 0;               ///< It has been looked at so far.
         std::size_t turn = 0;            ///< Index in the zone, at that time.
-        std::size_t reported_count = 0;  ///< Number of contacts of `watch` in found_.
+        std::size_t reported_count = 0;  ///< Number of contacts of `monitor` in found_.
     };
     /// One side of a contact.
     struct ContactSide {
@@ -157,7 +157,7 @@ class MultiRobotMonitor {
     void add_collision(const CollisionFinding& found, const ContactSide& side,
                        std::vector<RobotReport>& reports) const;
 
-    std::deque<Track> tracks_;  ///< Robots, and after them zones; their addresses do not change.
+    std::deque<Track> tracks_;  ///< Robots, then zones; their addresses do not change.
     std::size_t robots_;        ///< Number of robots in them.
     std::deque<Zone> zones_;
     std::vector<Pair> pairs_;

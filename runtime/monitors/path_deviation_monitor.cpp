@@ -18,7 +18,7 @@ constexpr double kDeviationArcStep_rad = 0.1;  // from point to point
 constexpr int kSuperimposedPoints = 16;        // of two motions at once
 constexpr int kRotationPoints = 32;            // if the part turns
 constexpr std::size_t kSubsequentMoves =
-    2;  // moves after the current one that a rounded corner may come near
+    2;  // moves that follow the current one, which a rounded corner may come near
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kMaxTargets = 4;  // of a run that are kept
 
@@ -149,7 +149,7 @@ std::size_t PathDeviationMonitor::find_path_index(rrs::TargetId id) const {
     return is ? static_cast<std::size_t>(found - paths_.begin()) : paths_.size();
 }
 
-/// Returns the distance of a point from the moves about this one; if that is no more than `enough`, any value
+/// Returns the distance of a point from the moves about this one; if that is no more than `cutoff`, any value
 /// up to it. The search starts with the moves that follow `near`, which becomes the move that ends the
 /// search.
 double PathDeviationMonitor::path_deviation(const Vector3d& point, std::size_t path_index, double cutoff,
@@ -198,7 +198,7 @@ void PathDeviationMonitor::measure_missed_point(const Vector3d& point, std::size
 }
 
 /// Returns the distance of a point from the stored run of this tool; if it is missed by no more than
-/// `enough`, any value up to it. kInfinite if the run is empty.
+/// `cutoff`, any value up to it. kInfinite if the run is empty.
 double PathDeviationMonitor::run_distance(const Vector3d& point, const WorkpieceTcp* tcp,
                                           CurveDistance distance, double cutoff) const {
     double min = kInfinite;

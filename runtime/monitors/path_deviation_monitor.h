@@ -81,8 +81,8 @@ class PathDeviationMonitor final : public motion::PathSink, public RunOutput {
     rrs::TargetId expected_id_ = 0;
     SourceLocation location_;  ///< For the expected move.
     std::deque<ProgrammedMovePath> paths_;
-    std::deque<ActualSegment> run_;         ///< The last segments off the path, one after the other.
-    rrs::TargetId nearest_id_ = 0;          ///< Move at which the last point of the driven path was found.
+    std::deque<ActualSegment> run_;         ///< The last segments off the path, in order.
+    rrs::TargetId nearest_id_ = 0;          ///< Move where the last point of the driven path was found.
     rrs::TargetId last_on_path_id_ = 0;     ///< Id of the last segment on the path.
     rrs::TargetId first_unsettled_id_ = 0;  ///< Ends of moves before this one have been looked at.
     Blends blends_;

@@ -29,7 +29,7 @@ class ProgrammedMovePath {
     /// Returns points of the path in their order, the first at its start and the last at its end: two for a
     /// straight one.
     std::span<const Eigen::Vector3d> points();
-    /// Returns the distance of a point from the path, mm; if that is no more than `enough`, any value up to
+    /// Returns the distance of a point from the path, mm; if that is no more than `cutoff`, any value up to
     /// it.
     double distance(const Eigen::Vector3d& point, double cutoff);
 

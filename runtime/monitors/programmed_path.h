@@ -23,15 +23,15 @@ class ProgrammedPath : public motion::PathSink {
 
     /// Returns true if the controller reports its paths: all others drive them as programmed.
     bool is_reported() const { return is_reported_; }
-    /// Begins a segment of this move, at this time, with a tool at the TCP `tip`. Returns false if its path
+    /// Begins a segment of this move, at this time, with a tool at the TCP `tcp`. Returns false if its path
     /// was not reported, or turns round and round; what follows then begins again.
     bool drive(rrs::TargetId id, double start_s, const WorkpieceTcp& tcp);
     /// Forgets what was driven before.
     void discard_before(double t_s);
     /// Forgets the complete past: what follows begins again.
     void mark_lost();
-    /// Returns the distance of a point from the path, up to the end of the move after the driven one; nullopt
-    /// if no path is known.
+    /// Returns the distance of a point from the path, up to the end of the move that follows the driven one;
+    /// nullopt if no path is known.
     std::optional<double> distance_mm(const Eigen::Vector3d& point_mm);
 
   private:

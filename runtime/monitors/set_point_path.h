@@ -17,7 +17,7 @@ class SetPointPath {
 
     /// Forgets everything; the TCP is here.
     void begin(const Eigen::Vector3d& at_mm);
-    /// Adds a line at the end of the path; with `longer` the last part, which is a line, is extended.
+    /// Adds a line at the end of the path; with `extends_last` the last part, which is a line, is extended.
     void add_line(const Eigen::Vector3d& to_mm, double end_s, bool extends_last);
     /// Adds a part of a curve, as the polynomial of third order with these ends.
     void add_curve(const EndPoint& from, const EndPoint& to, double end_s);

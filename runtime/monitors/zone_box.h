@@ -28,7 +28,7 @@ struct BoxViolation {
 /// Stay of the joints at values that a box does not allow.
 struct BoxViolationPeriod {
     BoxViolation entry;    ///< In the segment in which it began.
-    double excess_mm = 0;  ///< Max distance past the wall of `began` of the joint across it.
+    double excess_mm = 0;  ///< Max distance past the wall of `entry` of the joint across it.
     bool has_ended = false;
 };
 
@@ -48,7 +48,7 @@ class ZoneBox {
     /// count as leaving it.
     std::optional<BoxViolation> first_violation(const motion::Segment& segment) const;
     /// Returns all stays of a segment that the box does not allow, in the order of time. `open` is the one
-    /// that continues from the segment before, and is then the first of these; the last may continue after
+    /// that continues from the segment before, and is then the first of these; the last may continue past
     /// this one.
     std::vector<BoxViolationPeriod> violation_periods(const motion::Segment& segment,
                                                       const std::optional<BoxViolationPeriod>& open) const;

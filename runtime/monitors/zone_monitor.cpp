@@ -63,8 +63,8 @@ void ZoneMonitor::add_zone(std::string name, const machine::Zone& zone) {
                       zone.active_at_start, zone.switch_number});
 }
 
-// The program is read ahead of the motion. So a change by a word holds from the first move after it, wherever
-// the machine is when the word is read.
+// The program is read ahead of the motion. So a change by a word holds from the next move on, wherever the
+// machine is when the word is read.
 bool ZoneMonitor::switch_zones(int switch_number, bool on, rrs::TargetId from) {
     const auto has_number = [switch_number](const ZoneState& zone) {
         return zone.switch_number == switch_number;

@@ -42,7 +42,7 @@ struct ZoneRule {
     bool on;
 };
 
-/// Filter between a planner and the receiver of its segments. It finds the point at which the tool enters a
+/// Filter between a planner and the receiver of its segments. It finds the point where the tool enters a
 /// forbidden zone or leaves one that it must stay in. It ends the segments there, or else continues. The
 /// instant is exact: a root of path and time law, not a sample. The tool's end is at the machine's X, Y and
 /// Z, less the active tool offset.
@@ -54,7 +54,7 @@ class ZoneMonitor final : public motion::SegmentSink {
     ZoneMonitor(const machine::Machine& machine, motion::SegmentSink& next);
 
     /// Call it before the first segment: segments then continue after a hit, and `on_hit` gets the first
-    /// kMaxViolations, each after its segment has been passed on. The tool is out of a zone before it enters
+    /// kMaxViolations, each once its segment has been passed on. The tool is out of a zone before it enters
     /// it again.
     void continue_after_violations(std::function<void(const ZoneHit&)> on_hit) {
         on_hit_ = std::move(on_hit);

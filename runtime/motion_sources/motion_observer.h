@@ -35,9 +35,9 @@ class MotionObserver {
     virtual ~MotionObserver() = default;
     /// Reports the position of the machine before the first request.
     virtual void on_start_position(const rrs::JointPos& joints) = 0;
-    /// Reports a request after the controller has accepted it.
+    /// Reports a request that the controller has accepted.
     virtual void on_request(const MotionRequest& request) = 0;
-    /// Reports that the motion depends on more than these calls: `why`, as what the program does ("it
+    /// Reports that the motion depends on more than these calls: `reason`, as what the program does ("it
     /// probes").
     virtual void on_unrecordable(std::string_view reason) = 0;
     /// Reports that the program has ended.

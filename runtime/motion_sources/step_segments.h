@@ -15,7 +15,7 @@ class StepSegments {
     /// `position_joints` carry x, y and z (-1: none). `sink` must outlive this.
     StepSegments(int joint_count, const std::array<int, 3>& position_joints, motion::SegmentSink& sink);
 
-    /// Sets the position at which the next step begins.
+    /// Sets the position where the next step begins.
     void set_position(const rrs::JointPos& joints) { position_ = joints; }
     /// Passes the segment of a step that takes time (`elapsed_s` > 0) to the sink.
     void add_step(const rrs::JointPos& joints, double elapsed_s, rrs::TargetId target);

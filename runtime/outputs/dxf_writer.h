@@ -24,7 +24,7 @@ class DxfWriter : public RunOutput {
 
     static constexpr std::uint64_t kMaxPoints = 10'000'000;  ///< Some 1 GB.
 
-    /// `out` must outlive this. After `max_points` it draws no more.
+    /// `out` must outlive this. It draws at most `max_points`.
     DxfWriter(TextStream& out, const machine::Machine& machine, std::uint64_t max_points = kMaxPoints);
 
     /// Returns true if moves are missing, because the points would be too many: a helix may have any number

@@ -47,8 +47,7 @@ class PlotData : public RunOutput {
     void on_segment(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
-    /// Marks a contact of bodies of the cell and, after all else, the position at which an alarm ends the
-    /// run.
+    /// Marks a contact of bodies of the cell and, last of all, the position where an alarm ends the run.
     void mark_collision(const rrs::JointPos& joints);
     void mark_alarm();
 

@@ -8,7 +8,7 @@
 
 namespace gsim::simulation {
 
-/// Buffered text for the caller. Text after a part that could not be written is dropped.
+/// Buffered text for the caller. Text that follows a part that could not be written is dropped.
 class TextStream {
   public:
     /// Function that writes a part; false: it cannot be written.

@@ -14,8 +14,8 @@ namespace gsim::simulation {
 /// Writer of trajectory samples as CSV (docs/report.md), one line for each.
 class TrajectoryWriter : public Sampler {
   public:
-    /// Sets the step as in Sampler. `out` and `machine` must outlive this. After `max_samples` it writes
-    /// only the last instant.
+    /// Sets the step as in Sampler. `out` and `machine` must outlive this. Past `max_samples` it writes only
+    /// the last instant.
     TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s, double max_time_s,
                      std::uint64_t max_samples = kMaxSamples);
 

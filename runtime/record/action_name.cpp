@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxNameLength = 200;
 
-// Results of a probe are in the positions after it; a tool table that is read again is as it was.
+// Results of a probe are in the positions that follow; a tool table that is read again is as it was.
 constexpr std::array<std::string_view, 2> kNoActions = {"probe", "tool_table"};
 
 // The detail of these events is the word that switches the process here.

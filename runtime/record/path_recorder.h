@@ -51,7 +51,7 @@ class PathRecorder final : public simulation::ProgramObserver {
     Result<path::Program> finish(const std::string& name);
 
   private:
-    /// Function that gives the axis values after a share, 0 to 1, of a move.
+    /// Function that gives the axis values at a share, 0 to 1, of a move.
     using AxisPath = std::function<simulation::AxisVector(double share)>;
     /// Active values that have been written in the open path.
     struct ActiveSettings {

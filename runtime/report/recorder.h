@@ -17,10 +17,10 @@ namespace gsim::simulation {
 /// Combination of the client's data on moves and the segments that the planner makes of them: sums up the
 /// report and feeds the outputs. Memory is bounded by the moves that wait for their segments.
 ///
-/// A move consists of all segments with its target id; they come one after the other, in the order of
-/// expect(). It counts, and is passed to the outputs, if it takes time or is a dwell; a move to the current
-/// position does neither. Standstills count as dwell whatever the move is. An unexpected segment counts in
-/// time and length, but makes no move.
+/// A move consists of all segments with its target id; they come in a row, in the order of expect(). It
+/// counts, and is passed to the outputs, if it takes time or is a dwell; a move to the current position does
+/// neither. Standstills count as dwell whatever the move is. An unexpected segment counts in time and length,
+/// but makes no move.
 class Recorder : public motion::SegmentSink {
   public:
     /// Sets `machine` and `start` (joint values, mm or rad), which hold from time 0 on; `machine` must
@@ -33,7 +33,7 @@ class Recorder : public motion::SegmentSink {
     /// Announces a move, before its first segment.
     void expect(const MoveInfo& info) { pending_moves_.push_back(info); }
     void on_segment(const motion::Segment& segment) override;
-    /// Marks that the move announced last exceeds the ranges of these joints (MoveInfo::beyond).
+    /// Marks that the move announced last exceeds the ranges of these joints (MoveInfo::out_of_range).
     void mark_last_out_of_range(std::uint16_t out_of_range);
 
     /// Returns the move with the arriving segments; an unexpected one has only an id.

@@ -43,11 +43,11 @@ class ControllerServices {
     /// frame of the conveyor, or no longer.
     rrs::Status select_tracking(int conveyor, bool on);
     /// Sets the targets that follow to be in the frame of a conveyor, until untrack(). `direction` is in the
-    /// machine's world; the machine's frame and the conveyor's coincide if its travel is 0. Returns false
-    /// after an alarm.
+    /// machine's world; the machine's frame and the conveyor's coincide if its travel is 0. Returns false on
+    /// an alarm.
     bool track(const Eigen::Vector3d& direction, double position_mm, double speed_mm_s,
                const SourceLocation& location);
-    /// Ends track(). Returns false after an alarm.
+    /// Ends track(). Returns false on an alarm.
     bool untrack(const SourceLocation& location);
 
   private:

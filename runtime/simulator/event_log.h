@@ -11,7 +11,7 @@
 namespace gsim::simulation {
 
 /// Events of a run with their times. An event that does not stop the machine happens when the next move
-/// begins. That time is known only after that move has been planned.
+/// begins. That time is known only once that move has been planned.
 class EventLog final : public RunOutput {
   public:
     /// Adds an event at a known time.

@@ -13,7 +13,7 @@
 
 namespace gsim::simulation {
 
-/// Moves past the ranges of axes, after which a run continues unless its limits end it.
+/// Moves past the ranges of axes. A run then continues unless its limits end it.
 class RangeViolations {
   public:
     /// Begins without violations. All arguments must outlive this.
@@ -27,9 +27,9 @@ class RangeViolations {
     /// Checks the joints of a target for a controller module, which rejects a target past a range, or moves
     /// there.
     motion::PlanResult check_target(const rrs::JointPos& joints) const;
-    /// Adds the violations of the move with the last target id, after it has been enqueued.
+    /// Adds the violations of the move with the last target id, once it has been enqueued.
     void add_last(const SourceLocation& location);
-    /// Returns false, after an alarm, if a step of a controller module has ended the run.
+    /// Returns false, with an alarm, if a step of a controller module has ended the run.
     bool check_steps();
     /// Adds the violations by steps of a controller module, or their alarm. Call it once, after the end of
     /// the run.

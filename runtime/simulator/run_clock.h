@@ -13,12 +13,12 @@ class RunClock {
     RunClock(MachineMotion& motion, const ProgramPosition& position, const ProgramNotifier& notifier)
         : motion_(motion), position_(position), notifier_(notifier) {}
 
-    /// Returns the clock after all moves so far, in s; the query brings the machine to a standstill.
+    /// Returns the clock at the end of all moves so far, in s; the query brings the machine to a standstill.
     double time_s() {
         motion_.source().plan_to_standstill(false);
         return motion_.source().time_s();
     }
-    /// Returns the clock after the planned motion, in s: less than time_s() if moves are pending.
+    /// Returns the clock at the end of the planned motion, in s: less than time_s() if moves are pending.
     double planned_s() const { return motion_.source().time_s(); }
     /// Lets the controller wait until all moves have been made, before it reads on.
     void wait() {

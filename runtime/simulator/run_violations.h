@@ -20,7 +20,7 @@ class RunViolations {
                   RunOutcome& outcome, EventLog& events);
 
     RangeViolations& ranges() { return ranges_; }
-    /// Returns false, after an alarm, if a violation by the motion so far has ended the run.
+    /// Returns false, with an alarm, if a violation by the motion so far has ended the run.
     bool check() { return zones_.check() && ranges_.check_steps(); }
     /// Adds the violations of the full motion, or their alarm. Call it once, after the end of the run.
     void end_run();

@@ -13,8 +13,8 @@ namespace gsim::simulation {
 /// TCPs of the tools that a run has used, each once, so that a move refers to its own by a small number.
 class TcpTable {
   public:
-    /// Returns the number of a TCP, relative to the tool centre point of the kinematics (mm). After 65,536 of
-    /// them, which only a script can produce, new ones count as the last.
+    /// Returns the number of a TCP, relative to the tool centre point of the kinematics (mm). Beyond 65,536
+    /// of them, which only a script can produce, new ones count as the last.
     std::uint16_t number(const Eigen::Vector3d& tcp_mm) {
         constexpr std::size_t kMax = std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1;
         const Key key{tcp_mm.x(), tcp_mm.y(), tcp_mm.z()};

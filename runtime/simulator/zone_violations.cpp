@@ -56,7 +56,7 @@ bool ZoneViolations::check() {
     return !hit || fail_in_zone(*hit);
 }
 
-/// Events after the time limit do not happen.
+/// Events past the time limit do not happen.
 bool ZoneViolations::fail_in_zone(const ZoneHit& hit) {
     const MoveInfo& move = motion_.recorder().move();
     if (hit.time_s > outcome_.limits().max_time_s) return outcome_.stop_for_time(move.location);
@@ -69,7 +69,7 @@ bool ZoneViolations::fail_in_zone(const ZoneHit& hit) {
     return false;
 }
 
-/// Records the point at which the tool begins to violate a zone's rule; the depth is known later.
+/// Records the point where the tool begins to violate a zone's rule; the depth is known later.
 void ZoneViolations::add(const ZoneHit& hit) {
     const MoveInfo& move = motion_.recorder().move();
     violations_.push_back({.t_s = hit.time_s,

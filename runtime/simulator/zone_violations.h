@@ -10,7 +10,7 @@
 
 namespace gsim::simulation {
 
-/// Violations of zones by the tool, after which a run continues unless its limits end it.
+/// Violations of zones by the tool. A run then continues unless its limits end it.
 class ZoneViolations {
   public:
     /// Begins without violations. All arguments must outlive this.
@@ -18,7 +18,7 @@ class ZoneViolations {
     ZoneViolations(const ZoneViolations&) = delete;
     ZoneViolations& operator=(const ZoneViolations&) = delete;
 
-    /// Returns false, after an alarm, if the tool has violated a zone and so ended the run.
+    /// Returns false, with an alarm, if the tool has violated a zone and so ended the run.
     bool check();
     /// Moves the violations to a log. Call it once, after the end of the run.
     void release(ViolationLog& log);

@@ -13,7 +13,7 @@ namespace gsim::studio {
 /// std::invalid_argument if it is no message, or has more segments than can be distinguished (65,536).
 std::optional<std::string> compact_message(std::string_view message);
 
-/// Returns the number of the first segment of a message of segments; empty for another message.
+/// Returns the number of the first segment of a message of segments; nullopt for another message.
 std::optional<std::uint64_t> first_segment(std::string_view message);
 
 }  // namespace gsim::studio

@@ -25,9 +25,9 @@ class KeyReader {
     void text(const char* key, std::string& target);
     /// Reads a required text.
     void required_text(const char* key, std::string& target);
-    /// Reads one of several words; `place` gets its index.
+    /// Reads one of several words; `target` gets its index.
     void word(const char* key, std::span<const char* const> words, std::optional<std::size_t>& target);
-    /// Reads a number from `least` to `most`.
+    /// Reads a number from `min` to `max`.
     void number(const char* key, double min, double max, double& target);
     void number(const char* key, double min, double max, std::optional<double>& target);
     void read_integer(const char* key, int min, int max, std::optional<int>& target);
@@ -35,7 +35,7 @@ class KeyReader {
     void boolean(const char* key, std::optional<bool>& target);
     void texts(const char* key, std::vector<std::string>& target);
     void numbers(const char* key, double min, double max, std::vector<double>& target);
-    /// Reads three numbers, each from `least` to `most`.
+    /// Reads three numbers, each from `min` to `max`.
     void point(const char* key, double min, double max, std::array<double, 3>& target);
     void point(const char* key, double min, double max, std::optional<std::array<double, 3>>& target);
     /// Returns a list, or an object; null: it is missing.

@@ -14,8 +14,8 @@ namespace gsim::studio {
 /// End of a response: "done", or "failed" with the error.
 using VoidResult = tl::expected<void, engine::Error>;
 
-/// Function that responds to a request by messages, all but the last. `own`: the keys that are not those of
-/// `request`; unknown ones are rejected by name (keys.h).
+/// Function that responds to a request by messages, all but the last. `parameters`: the keys that are not
+/// those of `request`; unknown ones are rejected by name (keys.h).
 using RequestHandler = VoidResult (*)(const nlohmann::json& parameters, const engine::Request& request,
                                       const Post& post);
 

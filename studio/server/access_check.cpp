@@ -17,7 +17,7 @@ constexpr std::size_t kMaxTargetLength = 4096;
 constexpr std::array kMethods = {"GET", "POST", "PUT"};
 constexpr std::size_t kTokenBytes = 16;
 
-/// The duration does not reveal the position at which the texts differ.
+/// The duration does not reveal where the texts differ.
 bool equal_in_constant_time(const std::string& a, const std::string& b) {
     unsigned difference = a.size() == b.size() ? 0 : 1;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)

@@ -7,12 +7,12 @@
 namespace gsim::studio {
 
 /// Stream of one request that reads the body to its end before any response. A browser reads the response
-/// only after it has sent all, and a connection that is closed with unread bytes loses its response.
+/// only once it has sent all, and a connection that is closed with unread bytes loses its response.
 class BufferedBodyStream final : public httplib::Stream {
   public:
     explicit BufferedBodyStream(httplib::Stream& stream) : stream_(stream) {}
 
-    /// Sets the size of the body after the head was read.
+    /// Sets the size of the body, once the head has been read.
     void expect_body(std::uint64_t bytes) { remaining_ = bytes; }
 
     bool is_readable() const override { return stream_.is_readable(); }

@@ -43,10 +43,10 @@ class Connections {
 
     /// Waits until a further connection fits. False: end() has been called.
     bool wait_for_capacity();
-    /// Counts a further connection; each needs gone() at its end.
+    /// Counts a further connection; each needs on_close() at its end.
     void on_open();
     void on_close();
-    /// Ends waiting connections and admits no further one. Returns after all have ended.
+    /// Ends waiting connections and admits no further one. Returns once all have ended.
     void end();
 
   private:

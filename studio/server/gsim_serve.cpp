@@ -1,7 +1,7 @@
 // gsim-serve: serves the page of the studio; gsim studio starts it.
 //
-//     gsim-serve '{"folder": ..., "port": 0, "page": FILE, "told": {...}, "engine": [COMMAND...], "browser":
-//     true}'
+//     gsim-serve '{"folder": ..., "port": 0, "page": FILE, "page_data": {...}, "engine": [COMMAND...],
+//     "browser": true}'
 //
 // The address of the page is the first line on standard output; a signal ends it.
 

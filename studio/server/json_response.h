@@ -15,7 +15,7 @@ inline void respond_json(httplib::Response& response, int status, const nlohmann
                          "application/json");
 }
 
-/// Responds with {"error": sentence}.
+/// Responds with {"error": message}.
 inline void respond_error(httplib::Response& response, int status, const std::string& message) {
     respond_json(response, status, {{"error", message}});
 }

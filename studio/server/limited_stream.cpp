@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 
 constexpr std::size_t kReceiveBufferSize = std::size_t{64} << 10U;
 
-/// Returns the subset of `events` for which the socket is ready, or 0 after that time; -1: an error.
+/// Returns the subset of `events` for which the socket is ready, or 0 if none is in that time; -1: an error.
 short wait_for(int socket, short events, milliseconds max_wait) {
     pollfd poll_entry{socket, events, 0};
     int ready = 0;

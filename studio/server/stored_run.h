@@ -13,8 +13,8 @@
 
 namespace gsim::studio {
 
-/// Complete segment messages of a run that is too long for a page, one after the other in an unnamed file.
-/// They may be read while the engine still adds some.
+/// Complete segment messages of a run that is too long for a page, in order in an unnamed file. They may be
+/// read while the engine still adds some.
 class StoredRun {
   public:
     /// Creates the file.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The table of coverage counts what gcovr and the noted lines of Lua say. Usage: table_test.py SCRIPTS-FOLDER"""
+"""Tests that the table of coverage counts the lines of gcovr and the recorded lines of Lua. Usage: table_test.py SCRIPTS-FOLDER"""
 
 import pathlib
 import sys

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the links of all pages lead to files and headings that there are, and that the site has all pages.
+"""Checks that the links of all pages lead to existing files and headings, and that the site has all pages.
 
 Usage: check_links.py FOLDER
 """
@@ -15,7 +15,7 @@ CODE = re.compile(r"`[^`\n]*`|^    .*$", re.MULTILINE)
 
 
 def anchor(heading):
-    """As code hosts and mkdocs make it."""
+    """Returns the anchor of a heading as code hosts and mkdocs make it."""
     return re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-")
 
 
@@ -24,7 +24,7 @@ def anchors(page):
 
 
 def fault(page, target):
-    """What is wrong with a link, or nothing."""
+    """Returns the error of a link, if there is one."""
     name, _, heading = target.partition("#")
     path = page.parent / name if name else page
     if re.match(r"[a-z]+:", target):

@@ -1,6 +1,6 @@
-"""What a page of the documentation asks to be run: its commands, the files that it shows, the output that it promises.
+"""Reads the steps of a page of the documentation: its commands, the files that it shows, the output that it promises.
 
-A comment in front of a block tells what the block cannot tell itself. Readers do not see it:
+A comment before a block has information that the block itself cannot have. Readers do not see it:
 
     <!-- file: cell.toml -->        the block is this file
     <!-- expect: 1 -->              the exit status of the block's commands, or one for each ('0 1')
@@ -26,7 +26,7 @@ SPAN = re.compile(r"(?<!`)`([^`]+)`(?!`)")
 
 
 class PageError(Exception):
-    """A page that cannot be understood; the text says where and why."""
+    """A page with an error; the text has its source location and the reason."""
 
 
 @dataclass
@@ -59,13 +59,13 @@ class Output:
 
 
 def is_command(line):
-    """Whether a line of a block begins as a command does."""
+    """Returns True if a line of a block begins like a command."""
     words = line.split()
     while words and ASSIGNMENT.match(words[0]):
         words.pop(0)
     if not words:
         return False
-    if words[0] == "for":  # Lua has it, too
+    if words[0] == "for":  # Lua has `for`, too
         return len(words) > 2 and words[2] == "in"
     return words[0] in PROGRAMS + TOOLS or words[0].startswith(FOLDERS)
 
@@ -76,7 +76,7 @@ def is_program(line):
 
 
 class Reader:
-    """Takes a page apart into blocks and prose."""
+    """Splits a page into blocks and prose."""
 
     def __init__(self, name, text):
         self.name = name
@@ -106,7 +106,7 @@ class Reader:
         return self
 
     def read_prose(self, line):
-        """Whether an indented line behind this one begins a block."""
+        """Returns True if an indented line after this one begins a block."""
         found = DIRECTIVE.match(line)
         if found:
             self.add_directive(found.group(1), found.group(2) or "")
@@ -162,7 +162,7 @@ class Reader:
 
 
 def split_commands(text):
-    """Pairs of an offset in lines and a command, which may go on over several lines."""
+    """Returns pairs of an offset in lines and a command, which may continue over several lines."""
     commands = []
     pending = []
     for offset, line in enumerate(text.split("\n")):
@@ -211,7 +211,7 @@ def steps_of(reader, block):
 
 
 def read_page(name, text):
-    """The steps of a page in their order, and the commands that its sentences name as (line, text)."""
+    """Returns the steps of a page in order, and the commands in its prose as (line, text)."""
     reader = Reader(name, text).read()
     steps = [step for block in reader.blocks for step in steps_of(reader, block)]
     return steps, named_commands(reader.prose)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pages are understood as pages.py says."""
+"""Tests that pages are read as pages.py describes."""
 
 import pathlib
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the commands of the documentation, page by page, each page in a folder of its own that has the samples; and looks
-up the options in commands that its sentences name. What pages tell this script: pages.py.
+"""Runs the commands of the documentation, page by page, each page in a separate folder that has the samples. It also
+checks the options of commands in its prose. pages.py has the format of the pages.
 
 Usage: run_commands.py --source FOLDER --programs FOLDER --scratch FOLDER [--keep] [PAGE...]
 """
@@ -23,7 +23,7 @@ PAGES = ("README.md", "CONTRIBUTING.md", "lua_lib/README.md", "docs/**/*.md")
 
 
 def run(command, folder, programs):
-    """Exit status (None: too slow) and output."""
+    """Returns the exit status (None: too slow) and the output."""
     environment = dict(os.environ, PATH=f"{programs}:{os.environ['PATH']}", LC_ALL="C.UTF-8")
     process = subprocess.Popen(["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, text=True,
                                errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -47,7 +47,7 @@ def single_spaced(text):
 
 
 def is_in(promised, output):
-    """Whether a line of the output has the promised one in it; '...' stands for anything."""
+    """Returns True if a line of the output contains the promised one; '...' stands for anything."""
     parts = [re.escape(single_spaced(part)) for part in promised.split("...")]
     pattern = re.compile(" ?.*".join(parts))
     return any(pattern.search(single_spaced(line)) for line in output.split("\n"))
@@ -91,7 +91,7 @@ class PageRun:
             self.run_command(step)
 
     def take_all(self, steps):
-        """Up to the first failure: what comes behind it mostly needs what failed."""
+        """Runs the steps up to the first failure, because later steps usually need the failed one."""
         for step in steps:
             self.take(step)
             if self.failures:
@@ -109,7 +109,7 @@ class PageRun:
                 self.fail(command.line, f"does not print '{text}': {command.text}", self.output)
 
     def look_up(self, line, text):
-        """A sentence may name a command without all that it takes; the options that it has must be there."""
+        """Checks a command in prose. It may lack arguments, but the options that it has must exist."""
         self.looked_up += 1
         for part in text.split("|"):
             words = part.split()
@@ -120,7 +120,7 @@ class PageRun:
 
 
 def program_words(words):
-    """The words that say which program it is: 'gsim run', 'gcode2lua'."""
+    """Returns the words that name the program: 'gsim run', 'gcode2lua'."""
     program = os.path.basename(words[0])
     return [program, words[1]] if program == "gsim" and len(words) > 1 and words[1].isalpha() else [program]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints what a run of libFuzzer came to, by its log; with RECORD it adds that to the table in RESULTS.md.
+"""Prints the results of a run of libFuzzer from its log; with RECORD it adds them to the table in RESULTS.md.
 Usage: count.py LOG TARGET FUZZ-FOLDER RECORD"""
 
 import fcntl
@@ -11,7 +11,7 @@ HEAD = "| target | CPU hours | executions | edges | features | findings |"
 
 
 def figures_of(log):
-    """CPU seconds, executions, edges and features of a run."""
+    """Returns CPU seconds, executions, edges and features of a run."""
     def last(pattern):
         found = re.findall(pattern, log)
         return found[-1] if found else 0
@@ -28,7 +28,7 @@ def findings_of(folder, target):
 
 
 def rows_of(text):
-    """The rows of the table as lists of words, by target."""
+    """Returns the rows of the table as lists of words, by target."""
     rows = {}
     for line in text.splitlines():
         words = [word.strip() for word in line.strip("|").split("|")]
@@ -38,7 +38,7 @@ def rows_of(text):
 
 
 def record(path, target, run):
-    """Hours and executions add up; edges and features are the most that a run has reached."""
+    """Adds a run to the table. Hours and executions are sums; edges and features are the maximum of all runs."""
     cpu_s, executions, edges, features, findings = run
     with open(path, "r+", encoding="utf-8") as file:
         fcntl.flock(file, fcntl.LOCK_EX)

@@ -1,9 +1,9 @@
 #!/bin/bash
-# Fuzzes the targets, one or all of them; what breaks a promise is left in tests/fuzz/findings/TARGET, where fuzz_regressions looks too.
+# Fuzzes one or all targets. Inputs that break a promise are stored in tests/fuzz/findings/TARGET, which fuzz_regressions also reads.
 # Usage: tests/fuzz/run.sh BUILD-FOLDER SECONDS [TARGETS]
-# In the environment: JOBS (how many targets at once), RECORD=1 (adds the figures of the run to tests/fuzz/RESULTS.md), SEED (that of
-# the mutations: 0, the default, is another one each time).
-# A run goes on with the inputs that the ones before have left in BUILD-FOLDER/fuzz-corpus.
+# In the environment: JOBS (how many targets at once), RECORD=1 (adds the results of the run to tests/fuzz/RESULTS.md), SEED (that of
+# the mutations: 0, the default, is a new one each time).
+# A run continues with the inputs of earlier runs in BUILD-FOLDER/fuzz-corpus.
 set -uo pipefail
 
 build=$(cd "$1" && pwd)
@@ -12,7 +12,7 @@ wanted=${3:-}
 here=$(cd "$(dirname "$0")" && pwd)
 jobs=${JOBS:-1}
 
-# What libFuzzer tells of a finding, without its progress, which says nothing to people, and the input itself where it may be gone with this machine.
+# Prints libFuzzer's report of a finding without its progress lines. In CI it also prints the input, because the machine may be deleted.
 tell() {
     local target=$1 log=$2 findings=$3 found
     echo "FAILED: $target"
@@ -21,7 +21,7 @@ tell() {
     [[ $found && ${CI:-} ]] && { echo "$found, by base64 -d | gunzip:"; gzip -9 -c "$found" | base64; }
 }
 
-# A target by many names of one program. New inputs go to the first folder only: the seeds stay as they were written.
+# The name of the program selects the target. New inputs go only to the first folder, so the seeds do not change.
 fuzz_one() {
     local target=$1 family=$2
     local inputs="$build/fuzz-corpus/$target" findings="$here/findings/$target" log="$build/fuzz-$target.log" status
@@ -61,6 +61,6 @@ fi
 rm -f "$build"/fuzz-*.log.failed
 xargs -P "$jobs" -L 1 "$0" "$build" "$seconds" <<<"$list"
 status=$?
-# Behind all others, where nobody has to look for them.
+# Failures come last, so that nobody has to search for them.
 cat "$build"/fuzz-*.log.failed 2>/dev/null
 exit "$status"

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Runs what is installed below PREFIX: the wheel, a cell, a path, a module, and whatever else of it has been installed. The
-# programs get an empty environment and a foreign folder. It needs no more than bash, coreutils, grep and sed, so that it also
-# runs in a root that has nothing but the packages. A line for each check, "ok ..." or "FAILED ...".
+# Runs the programs that are installed below PREFIX: the wheel, a cell, a path, a module, and all other installed parts. The
+# programs get an empty environment and a foreign folder. It needs only bash, coreutils, grep and sed, so that it also
+# runs in a root that has only the packages. Prints a line for each check, "ok ..." or "FAILED ...".
 # Usage: tests/install/check.sh PREFIX
 # shellcheck disable=SC2317  # functions are called by check
 set -uo pipefail
@@ -14,12 +14,12 @@ readonly samples=$share/gsim/samples
 failed=0
 cd /
 
-# In the environment of nobody in particular.
+# Runs a command with a minimal environment.
 bare() {
     env -i PATH=/usr/bin:/bin HOME="$scratch" LC_ALL=C "$@"
 }
 
-# check WHAT PATTERN COMMAND...: the command succeeds, and a line of its output has the pattern.
+# check WHAT PATTERN COMMAND...: checks that the command succeeds, and that a line of its output has the pattern.
 check() {
     local what=$1 pattern=$2 output code=0
     shift 2
@@ -33,7 +33,7 @@ check() {
     fi
 }
 
-# Says so if each of the files is there and not empty, be it compressed or not; links have to lead somewhere.
+# Prints `present` if each file exists, compressed or not, and is not empty; links must have a target.
 present() {
     local file
     for file; do
@@ -56,14 +56,14 @@ translated() {
         bare "$bin/gsim" run --machine "$samples/machines/af5-measured.toml" "$scratch/wheel.lua"
 }
 
-# A whole module from the example, by the header that is installed.
+# Builds a module from the example with the installed header, and runs it.
 own_module() {
     cc -shared -fPIC -I"$prefix/include" "$prefix/share/doc/gsim/examples/small_module.c" -o "$scratch/small.so" -lm &&
         printf 'G1 X10 F600\nM2\n' >"$scratch/part.nc" &&
         bare "$bin/gsim-run" --rcs "$scratch/small.so" "$scratch/part.nc"
 }
 
-# What gsim.pc says is where things are; pkg-config puts backslashes before what a shell takes for its own.
+# Checks the folders of gsim.pc; pkg-config puts backslashes before special characters of the shell.
 described() {
     local variable folder
     local -A files=([includedir]=gsim/rcs_module.h [moduledir]=libgsim_rcs_default.so)
@@ -73,13 +73,13 @@ described() {
     done
 }
 
-# It is no solid, but to find that out the reader has to begin, with all its libraries.
+# The file is not a solid, but the reader must start with all its libraries to find that out.
 no_solid() {
     echo 'ISO-10303-21; nothing follows' >"$scratch/part.step"
     ! bare "$bin/autopath" "$scratch/part.step" --material aluminum --thickness 12
 }
 
-# A servo loop from the machine that has it.
+# Identifies a servo loop from a run of the machine that has it.
 servo_loop() {
     bare "$bin/gsim-run" --quiet --machine "$samples/machines/gantry-dynamics.toml" --dialect rs274ngc --trajectory "$scratch/servo.csv" --following --step 0.001 \
         "$samples/rosette.ngc" &&
@@ -93,12 +93,12 @@ for name in gsim "${names[@]}"; do
     check "$name(1)" present present "$share/man/man1/$name.1"
     check "completion of $name" present present "$share/bash-completion/completions/$name" "$share/fish/vendor_completions.d/$name.fish"
 done
-# A page with a finished run in it, where the page of the studio has been installed.
+# Makes a page with a finished run, if the page of the studio is installed.
 page_of_a_run() {
     bare "$bin/gsim" run --quiet --view "$scratch/run.html" "$samples/wheel.nc" && grep -c 'id="run">H4sI' "$scratch/run.html"
 }
 
-# By its address alone, which is the first thing that is said.
+# Requests the page only by its address, which is the first line of the output.
 served_page() {
     local address host
     (exec env -i PATH=/usr/bin:/bin HOME="$scratch" LC_ALL=C "$bin/gsim" studio --no-browser "$samples" >"$scratch/address" 2>"$scratch/refused") &
@@ -118,12 +118,12 @@ served_page() {
     wait "$server"
 }
 
-# Twice, and nothing the second time.
+# Runs a batch twice: the second time nothing is left to run.
 batch() {
     (cd "$scratch" && for _ in 1 2; do bare "$bin/gsim-batch" --machine af5-measured --no-collisions "$samples/wheel.nc" || return; done)
 }
 check 'gsim-batch --version' '^gsim-batch [0-9]' bare "$bin/gsim-batch" --version
-# Without bodies, which take minutes under sanitizers. The archive's folder has quotes in its name: a literal string holds them.
+# Without bodies, which take minutes under sanitizers. The archive's folder has double quotes in its name, so TOML needs a literal string.
 cat >"$scratch/place.toml" <<END
 programs = '$samples/wheel.path.json'
 machines = "af5-measured"
@@ -155,7 +155,7 @@ check path '^status      completed' way_of_a_path
 check module '^status      completed' bare "$bin/gsim-run" --rcs "$prefix/lib/gsim/libgsim_rcs_default.so" "$samples/wheel.nc"
 check 'library in Lua' '^cycle time  129\.9[89]' bare "$bin/gsim-run" --lua-lib "$share/gsim/lua_lib" \
     --machine "$samples/machines/af5-measured.toml" "$samples/wheel.nc"
-# By their names, from a foreign folder.
+# Calls the programs by their names, from a foreign folder.
 check 'sample machine by its name' '^cycle time  129\.9[89]' bare "$bin/gsim-run" --machine af5-measured samples/wheel.nc
 check 'module in the program' '^status      completed' bare "$bin/gsim-run" --rcs gsim_rcs_default --rcs-in-process "$samples/wheel.nc"
 check 'module by its name' '^status      completed' bare "$bin/gsim-run" --rcs gsim_rcs_default samples/wheel.nc

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Man pages and completions, asked the way that man and the shells ask them. What is not installed here is left out, and said so.
+# Tests man pages and completions as man and the shells use them. Shells that are not installed here are left out, with a message.
 # Usage: tests/install/completion_test.sh BUILD
 # shellcheck disable=SC2034  # COMP_WORDS and COMP_CWORD are read by the functions that are sourced
 set -uo pipefail
@@ -20,7 +20,7 @@ verdict() {
     fi
 }
 
-# What bash offers for the last of the words, on one line.
+# Prints the completions of bash for the last word, on one line.
 completed() {
     COMP_WORDS=("$@")
     COMP_CWORD=$(($# - 1))
@@ -53,7 +53,7 @@ verdict 'bash: folders' 'folder' "$(completed gsim-run --lua-lib '')"
 verdict 'bash: a number is the user'"'"'s' '' "$(completed gsim-run --max-time '')"
 verdict 'bash: commands of gsim-data' 'list' "$(completed gsim-data jet.txt l)"
 
-# Programs that are no part of gsim have scripts of their own.
+# Programs that are not part of gsim have separate scripts.
 own=()
 for script in "$completions"/gsim-*.bash; do own+=("$(basename "$script" .bash)"); done
 [[ ${own[*]} == *gsim-batch*gsim-optimise* ]] || failed=1

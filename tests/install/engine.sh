@@ -1,6 +1,6 @@
 #!/bin/bash
 # Builds and runs the examples of the installed library below PREFIX, in C, C++ and Python, which draws the wheel. It needs a
-# compiler, pkg-config, CMake, python3-cffi, python3-numpy and python3-matplotlib. A line for each check, "ok ..." or "FAILED ...".
+# compiler, pkg-config, CMake, python3-cffi, python3-numpy and python3-matplotlib. Prints a line for each check, "ok ..." or "FAILED ...".
 # Usage: tests/install/engine.sh PREFIX
 set -uo pipefail
 
@@ -11,7 +11,7 @@ readonly prefix scratch examples=$prefix/share/gsim/samples/engine wheel=$prefix
 failed=0
 cd "$scratch" || exit
 
-# check WHAT PATTERN COMMAND...: the command succeeds, and a line of its output has the pattern.
+# check WHAT PATTERN COMMAND...: checks that the command succeeds, and that a line of its output has the pattern.
 check() {
     local what=$1 pattern=$2 output code=0
     shift 2
@@ -35,7 +35,7 @@ in_cpp() {
     g++ -std=c++20 -Wall -Wextra -Werror "$examples/01_cycle_time.cpp" $(pkg-config --cflags --libs libgsim) -o cpp && ./cpp
 }
 
-# Each header by itself.
+# Compiles each header by itself.
 headers() {
     local header
     for header in "$prefix"/include/gsim/engine/*.h "$prefix/include/gsim/gsim.h"; do

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Installs a build into an empty folder and runs it from there, as far from the build folder as can be without deleting it.
-# Usage: tests/install/install_test.sh BUILD [paths]; paths: no installed file may tell the build folder
+# Installs a build into an empty folder and runs it there. The build folder is hidden if the system permits it.
+# Usage: tests/install/install_test.sh BUILD [paths]; paths: no installed file may contain the path of the build folder
 set -euo pipefail
 
 build=$(realpath "$1")
@@ -9,12 +9,12 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 readonly build here scratch prefix=$scratch/installed
 
-# In components: a whole installation would overwrite the manifest of one that somebody may want to take back.
+# Installs by components, because a full installation would overwrite the manifest that an uninstallation may need.
 install_into() {
     local component
     for component in programs studio development solid docs licence; do
         cmake --install "$build" --component "$component" --prefix "$1" >>"$scratch/log" || return
-        # Without OpenCASCADE there is nothing of solid, and no manifest of it or an empty one.
+        # Without OpenCASCADE the component solid is empty, and its manifest is missing or empty.
         [[ ! -s $build/install_manifest_$component.txt ]] || grep . "$build/install_manifest_$component.txt" >>"$scratch/manifest"
     done
 }
@@ -34,7 +34,7 @@ if [[ ${2:-} == paths ]]; then
     echo 'ok no file tells the build folder'
 fi
 
-# Where the system lets us, the build folder is empty for the programs.
+# If the system permits it, the programs see an empty build folder.
 hidden=()
 if unshare --user --map-root-user --mount mount -t tmpfs none "$build" 2>/dev/null; then
     # shellcheck disable=SC2016  # the inner shell's
@@ -43,7 +43,7 @@ fi
 "${hidden[@]}" "$here/check.sh" "$prefix"
 if ((${#hidden[@]})); then echo 'ok with the build folder hidden'; else echo 'the build folder could not be hidden here'; fi
 
-# The manifest has names without DESTDIR, of both installations; what is below neither stays.
+# The manifest has the names of both installations without DESTDIR; other files stay.
 : >"$scratch/installed/bin/of-others"
 "$here/../../scripts/uninstall.sh" "$scratch/manifest" >/dev/null
 [[ $(find "$prefix" -type f -o -type l) == "$prefix/bin/of-others" ]] || fail 'uninstall left files'

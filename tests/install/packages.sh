@@ -1,6 +1,6 @@
 #!/bin/bash
-# In a root that holds a Debian and nothing else: installs the packages of gsim with apt, runs what they brought, and takes them
-# off again. scripts/package-test.sh calls it there.
+# Installs the packages of gsim with apt in a root that has only a Debian, runs the installed programs, and removes them
+# again. scripts/package-test.sh calls it there.
 # Usage: tests/install/packages.sh FOLDER, which has the packages
 set -uo pipefail
 
@@ -23,7 +23,7 @@ quietly() {
     rm -f "$log"
 }
 
-# Where it was unpacked, and what apt remembers of the files it was given, is no part of the installation.
+# The folder of the packages, and apt's lists and logs, are not part of the installation.
 left_behind() {
     find / -xdev -path /proc -prune -o -path /var/lib/apt -prune -o -path /var/cache -prune -o -path /var/log -prune -o \
         -path "$here" -prune -o -path "$packages" -prune -o -name '*gsim*' ! -name '*trigsimp*' -print
@@ -36,7 +36,7 @@ quietly apt-get -q -y --no-install-recommends install "$packages"/gsim_*.deb
 mapfile -t others < <(ls "$packages"/gsim-*.deb "$packages"/libgsim0_*.deb "$packages"/python3-gsim_*.deb)
 quietly apt-get -q -y --no-install-recommends install "${others[@]}"
 "$here/check.sh" /usr || failed=1
-# What people have who build on the library, and what it says that its static one needs.
+# The tools of users of the library, and the packages that its static form needs.
 quietly apt-get -q -y --no-install-recommends install g++ cmake make pkgconf python3-matplotlib libfmt-dev liblua5.4-dev libpugixml-dev
 "$here/engine.sh" /usr || failed=1
 quietly apt-get -q -y purge 'gsim*' libgsim0 python3-gsim

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a change affects. Usage: affected_test.py SCRIPTS-FOLDER"""
+"""Tests which sources and tests a change affects. Usage: affected_test.py SCRIPTS-FOLDER"""
 
 import os
 import pathlib

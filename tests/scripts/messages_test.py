@@ -1,4 +1,4 @@
-"""Which texts of a source are messages."""
+"""Tests which texts of a source are messages."""
 
 import sys
 import unittest

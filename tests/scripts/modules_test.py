@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Includes are held against the table of modules. Usage: modules_test.py SCRIPTS-FOLDER"""
+"""Tests that includes are compared with the table of modules. Usage: modules_test.py SCRIPTS-FOLDER"""
 
 import pathlib
 import sys

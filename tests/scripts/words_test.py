@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Banned words are found and counted, and limits only fall. Usage: words_test.py SCRIPTS-FOLDER"""
+"""Tests that banned words are found and counted, and that limits only fall. Usage: words_test.py SCRIPTS-FOLDER"""
 
 import pathlib
 import sys

@@ -1,5 +1,5 @@
 #!/bin/bash
-# A Slurm of one machine, with its daemons and files in a folder of its own, for tests; as root or as anybody.
+# Starts or stops a Slurm of one machine for tests, with its daemons and files in one folder; as root or as any user.
 # Usage: cluster.sh start FOLDER [NODES]; cluster.sh stop FOLDER; then SLURM_CONF=FOLDER/slurm.conf sbatch ...
 set -euo pipefail
 
@@ -7,10 +7,10 @@ action=$1
 mkdir -p "$2"
 folder=$(realpath "$2")
 readonly action folder
-# Where Debian has daemons, which may not be in everybody's PATH.
+# Debian installs daemons in a folder that may not be in the PATH of a user.
 PATH=$PATH:/usr/sbin:/sbin
 
-# A port that nobody listens on.
+# Prints a port that is not in use.
 free_port() {
     python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""gsim-batch and gsim-optimise on a real Slurm of this machine: the same rows as without it, whatever is killed on the way.
-Usage: slurm_test.py GSIM-BATCH [CLASS]: all tests, or Batches or Losses, each with a cluster of its own. In the environment: SLURM_NEEDED=1 (no Slurm here is a failure, else a skip: status 77)."""
+"""Tests gsim-batch and gsim-optimise on a real Slurm of this machine: the rows are the same as without it, even if processes are killed.
+Usage: slurm_test.py GSIM-BATCH [CLASS]: all tests, or Batches or Losses, each with its own cluster. In the environment: SLURM_NEEDED=1
+(a missing Slurm is a failure; without it the test is skipped: status 77)."""
 
 import json
 import os
@@ -32,10 +33,10 @@ max_speed_mm_s = 100.0
 max_acceleration_mm_s2 = 1000.0
 direction = "x"
 """
-# One of them goes too far, one has an error: rows like all others.
+# One program exceeds a limit, one has an error: they have rows like all others.
 PROGRAMS = {"line.ngc": "G21 F600\nG1 X30\nM2\n", "far.ngc": "G21 F600\nG1 X3000\nM2\n", "wrong.ngc": "G1 X[\n",
             "loop.ngc": "G21 F600\no1 repeat [200]\nG1 X10\nG1 X0\no1 endrepeat\nM2\n"}
-# What differs from one run of a program to another, or by who ran it.
+# Columns that differ between runs of a program, or depend on the process that ran it.
 OWN = {"ran_at", "cpu_s", "id", "reused"}
 
 
@@ -45,7 +46,7 @@ def is_there():
 
 
 def rows(file):
-    """All runs of the latest batch, by their jobs."""
+    """Returns all runs of the latest batch, by their jobs."""
     with sqlite3.connect(file, timeout=20) as results:
         results.row_factory = sqlite3.Row
         return {row["job"]: {key: row[key] for key in row.keys() if key not in OWN}
@@ -58,11 +59,11 @@ def number(file, query):
 
 
 class OnSlurm(unittest.TestCase):
-    """A cluster with two nodes, and what the batch finds without it."""
+    """A cluster with two nodes, and the results of the batch without it."""
 
     @classmethod
     def setUpClass(cls):
-        # Sockets have short names.
+        # The path of a socket must be short, so the folder is.
         cls.root = Path(tempfile.mkdtemp(prefix="gsim-slurm-", dir="/tmp"))
         cls.cluster("start", "2")
         cls.work = cls.root / "work"
@@ -89,7 +90,7 @@ class OnSlurm(unittest.TestCase):
 
     @classmethod
     def cluster(cls, action, *words):
-        # Daemons keep what they were given open.
+        # Daemons keep inherited files open.
         with (cls.root / "cluster.log").open("a") as log:
             subprocess.run([CLUSTER, action, cls.root / "slurm", *words], check=True, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
 
@@ -118,12 +119,12 @@ class OnSlurm(unittest.TestCase):
         self.fail(f"not within {patience_s} s: {self.batch('--status', '--results', 'r.sqlite')}\n{self.slurm('squeue')}")
 
     def over(self, results):
-        """Waits until the batch is not in the queue any more."""
+        """Waits until the batch is no longer in the queue."""
         self.until(lambda: self.hurry() and " 0 running, 0 waiting" in self.batch("--status", "--results", results)[1])
 
     def hurry(self):
-        """Tasks that Slurm puts back wait for two minutes, and those that a lost node could not begin until an administrator releases them.
-        Of a task that begins in the second in which it was put back a node refuses the credential as revoked, and the task has failed."""
+        """Starts requeued tasks, which would wait for two minutes, and releases held tasks, which a lost node could not begin.
+        If a task begins in the second in which it was requeued, a node rejects its credential as revoked, and the task fails."""
         waiting = {}
         for line in self.slurm("squeue", "--noheader", "--array", "--states=PENDING", "--format=%i|%r").splitlines():
             job, reason = line.strip().split("|")
@@ -137,7 +138,7 @@ class OnSlurm(unittest.TestCase):
         return True
 
     def logs(self, results):
-        """What the tasks of a batch printed."""
+        """Returns the output of the tasks of a batch."""
         return "\n".join(f"{file.name}:\n{file.read_text()}" for file in sorted((self.work / (results + ".slurm")).glob("*.log")))
 
     def check(self, results):
@@ -154,7 +155,7 @@ class OnSlurm(unittest.TestCase):
         return said
 
     def task_processes(self, results):
-        """Processes of tasks, by their shards."""
+        """Returns processes of tasks, by their shards."""
         found = {}
         for entry in Path("/proc").iterdir():
             try:
@@ -169,7 +170,7 @@ class OnSlurm(unittest.TestCase):
 class Batches(OnSlurm):
     def test_rows_are_those_of_a_local_run(self):
         status, said = self.batch("plan.toml", "--slurm", "--results", "a.sqlite", "--shard-runs", "250", "--wait", "-q", "--csv", "a.csv")
-        self.assertEqual(status, 1, said)  # two of the programs are wrong
+        self.assertEqual(status, 1, said)  # two of the programs have errors
         self.assertIn("gathered", said)
         self.assertEqual(len((self.work / "a.csv").read_text().splitlines()), len(self.wanted) + 1)
         self.check("a.sqlite")

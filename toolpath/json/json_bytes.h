@@ -29,7 +29,7 @@ class JsonBytes {
 
     /// Returns the start position of the last string, number, word or opening bracket.
     const SourceLocation& token() const { return token_; }
-    /// Returns the position after the last byte that was read.
+    /// Returns the position of the next byte to be read.
     const SourceLocation& location() const { return location_; }
 
     /// Iterator with which a parser reads.

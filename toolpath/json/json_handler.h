@@ -43,7 +43,7 @@ class JsonHandler {
     bool parse_error(std::size_t position, const std::string& last_token,
                      const nlohmann::json::exception& exception);
 
-    /// Returns the program after the last event; the error is "file:line:column: message".
+    /// Returns the program, once all events have been handled; the error is "file:line:column: message".
     Result<PathFile> finish();
     const std::string& error() const { return error_; }
 

@@ -14,7 +14,7 @@
 
 namespace gsim::path {
 
-/// Target while its keys are read, one after the other in any order. Errors are messages.
+/// Target while its keys are read, one by one in any order. Errors are messages.
 class TargetDraft {
   public:
     /// Kind of value of a key.

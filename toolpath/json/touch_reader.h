@@ -21,7 +21,7 @@ class TouchReader {
     ReadResult string(std::string_view value);
     ReadResult vector(const std::vector<double>& values) { return draft_.set_vector(key_, values); }
     bool expects_vector() const { return TouchDraft::value_kind(key_) == TouchDraft::ValueKind::vector; }
-    /// Returns the touch, after all its keys are read.
+    /// Returns the touch, once all its keys are read.
     Result<Touch> finish() const { return draft_.finish(); }
 
     const SourceLocation& location() const { return location_; }

@@ -11,7 +11,7 @@
 
 namespace gsim::path {
 
-/// Touch while its keys are read, one after the other in any order. Errors are messages.
+/// Touch while its keys are read, one by one in any order. Errors are messages.
 class TouchDraft {
   public:
     /// Kind of value of a key.

@@ -33,13 +33,13 @@ struct ToolChangeStops {
 /// Returns true if the action is a tool change.
 bool is_tool_change(const std::string& action);
 
-/// Returns the actions after a tool change that restart what it has stopped, in their order. The error is a
-/// message: the positions that lead to the change pass on different values.
+/// Returns the actions that restart what a tool change has stopped, in their order. The error is a message:
+/// the positions that lead to the change pass on different values.
 Result<std::vector<std::string>> restore_actions(const ActiveModes& active_modes,
                                                  const ToolChangeStops& stops);
 
 /// Returns the actions of a target, each tool change among them followed by the restart of what it has
-/// stopped. `running`: the state before them. The error is a message, see restored().
+/// stopped. `active_modes`: the state before them. The error is a message, see restored().
 Result<std::vector<std::string>> insert_restore_actions(const std::vector<std::string>& actions,
                                                         ActiveModes active_modes,
                                                         const ToolChangeStops& stops);

@@ -25,7 +25,7 @@ struct ArcShape {
     double rise_mm = 0;   ///< Along the normal, over the full turn.
 
     double radius_mm() const;
-    /// Returns the tool position after that share, 0 to 1, of the turn.
+    /// Returns the tool position at that share, 0 to 1, of the turn.
     Eigen::Vector3d at(double share) const;
 };
 

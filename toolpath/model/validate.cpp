@@ -384,7 +384,7 @@ class Validator {
     std::map<std::string_view, const std::vector<Touch>*> touches_;
     bool has_tools_ = false;
     std::vector<std::optional<int>> nesting_depth_;  // of each path
-    std::vector<std::size_t> search_path_;           // from the path at which the search began
+    std::vector<std::size_t> search_path_;           // from the path where the search began
     TargetId user_target_;                           // what leads to the path being looked at
 };
 

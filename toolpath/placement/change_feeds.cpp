@@ -67,7 +67,7 @@ class FeedDependents {
     const Program& program_;
     std::size_t changed_path_;
     std::vector<bool> inherits_feed_;      // a feed of the path that uses it
-    std::vector<Source> final_feed_path_;  // the feed after it
+    std::vector<Source> final_feed_path_;  // the feed at its end
     std::optional<std::size_t> dependent_;
 };
 

@@ -82,7 +82,7 @@ class PathTransformer {
             bool is_axis_known = false;
             for (std::size_t i = 0; i < targets.size(); ++i) {
                 auto* point = std::get_if<Point>(&targets[i]);
-                // Fixed and reference points stay, and so do the axis values after them.
+                // Fixed and reference points stay, and so do the axis values that follow them.
                 if (point == nullptr) {
                     is_axis_known = is_axis_known && !has_machine_points_;
                     continue;

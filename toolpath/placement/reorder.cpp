@@ -53,7 +53,7 @@ bool is_non_modal(const std::string& action) {
            std::any_of(kComparedActions.begin(), kComparedActions.end(), has_prefix);
 }
 
-/// Returns the effect of a target that lasts after the path, and is not compared.
+/// Returns the effect of a target that outlasts the path, and is not compared.
 std::optional<Error> find_modal_error(const Target& target) {
     for (const std::string& action : target_actions(target)) {
         if (!is_non_modal(action))

@@ -13,8 +13,8 @@ namespace gsim::path {
 class MoveSink;
 
 /// Writer of the work offsets and tools that paths name, before the first motion and at each change. A path
-/// is in its frame wherever it moves, and returns to it after a sub-path with another one. After its end the
-/// frame of its user is active again. A tool stays until another one is named.
+/// is in its frame wherever it moves, and returns to it after a sub-path with another one. At its end the
+/// frame of its user becomes active again. A tool stays until another one is named.
 class PathSetup {
   public:
     /// All arguments must outlive this. `stops`: what a tool change stops; `jet`: the program has one.

@@ -12,8 +12,8 @@ namespace gsim::path {
 struct MachineApproach {
     int reference = 0;  ///< Above 0: a reference point, which the controller approaches by a special word.
     bool retract_first = false;  ///< The tool moves up first, as for a change.
-    /// Axes that move there by a rapid, one step after the other, by letter, mm or deg. For an unknown
-    /// reference point only the letters count.
+    /// Axes that move there by a rapid, step by step, by letter, mm or deg. For an unknown reference point
+    /// only the letters count.
     std::vector<std::map<char, double>> steps = {};
 };
 

@@ -87,7 +87,7 @@ std::optional<TargetError> MoveGenerator::report_work_offset(const Point& point,
     return std::nullopt;
 }
 
-// Handles a point at which the tool already is.
+// Handles a point where the tool already is.
 std::optional<TargetError> MoveGenerator::set_position(const Point& point, const AxisValues& axes,
                                                        const State& before) {
     const std::optional<Vector>& at = before.position_mm.value();

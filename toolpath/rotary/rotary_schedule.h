@@ -28,7 +28,7 @@ class RotarySchedule {
         AxisValues to;
     };
     std::size_t unknown = 0;            ///< So many targets at the beginning leave the axes as they come.
-    std::vector<double> values;         ///< Values of all targets after these, one after the other.
+    std::vector<double> values;         ///< Values of all further targets, in order.
     std::vector<Unwinding> unwindings;  ///< By target.
     std::vector<Unwinding> between;     ///< By target; of repeated sub-paths.
 

@@ -31,7 +31,7 @@ class TcpMotion {
     /// Returns the arc of the axes from one share to another in an oblique plane, defined by the point
     /// halfway; nullopt for a helix, and if turning axes move the linear ones.
     std::optional<AxisArc> oblique_arc(double from, double to, double tolerance_mm) const;
-    /// Calls `piece` with the shares at which lines between them keep within the tolerance; the last is 1.
+    /// Calls `on_part` with the shares at which lines between them keep within the tolerance; the last is 1.
     void cut(double tolerance_mm, const std::function<void(double share)>& on_part) const;
 
   private:

@@ -24,7 +24,7 @@ constexpr double kMaxBevel_deg = 60;
 constexpr double kBevelStep_deg = 0.5;
 constexpr int kMaxDepth = 8;  // of halving an edge
 constexpr double kVerticalTolerance_deg = 1e-4;
-// Positions along an edge at which the jet is tested; a face may have no normal at its ends.
+// Positions along an edge where the jet is tested; a face may have no normal at its ends.
 constexpr std::array kSampleShares{0.02, 0.2, 0.35, 0.5, 0.65, 0.8, 0.98};
 
 // The face below one edge of the upper side.

@@ -23,7 +23,7 @@ constexpr double kMaxTurnStep_rad = 2 * kRadPerDeg;  // of directions, from one 
 constexpr int kMaxHalvings = 14;
 constexpr int kInitialParts = 2;
 constexpr double kSmoothCosine = 0.9998;  // cosine of the angle at which two faces are one, 1 deg
-constexpr double kProbeOffset_mm = 0.05;  // distance off the wall for the search of obstacles after it
+constexpr double kProbeOffset_mm = 0.05;  // distance off the wall for the search of obstacles past it
 constexpr double kBlindTolerance_mm = 0.05;
 
 Vec3 to_vec3(const gp_XYZ& vector) {

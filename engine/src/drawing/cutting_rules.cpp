@@ -41,8 +41,8 @@ cutting::CutRules make_cut_rules(const waterjet::CuttingPlan& plan, const Cuttin
         .feed_in_corner_mm_min =
             [plan](double turn_rad) { return waterjet::feed_for_corner_mm_min(plan, turn_rad); },
         .corner_zone_mm = waterjet::corner_zone_mm(plan)};
-    // A depth below the given thickness does not allow a higher feed, because more material may follow after
-    // the wall.
+    // A depth below the given thickness does not allow a higher feed, because there may be more material
+    // behind the wall.
     const double max_speed_mm_min =
         options.thickness_mm > 0 ? plan.cutting_speed_mm_min : std::numeric_limits<double>::infinity();
     rules.speed_at_depth_mm_min = [plan, max_speed_mm_min](double depth_mm) {

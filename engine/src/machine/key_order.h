@@ -8,7 +8,7 @@
 namespace gsim::engine {
 
 /// Returns a value for the position `at` (its keys, without numbers of elements) of a machine, cell or
-/// controller file. The keys of its objects are in the documented order, with others after these. The order
+/// controller file. The keys of its objects are in the documented order, followed by all others. The order
 /// may have been lost in transmission.
 nlohmann::ordered_json sort_keys(const nlohmann::ordered_json& value, const std::vector<std::string>& at);
 

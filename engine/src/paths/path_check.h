@@ -42,8 +42,8 @@ class PathCheck final : public path::MoveSink {
     void call(const path::SubPath&) override {}
     void note(const path::TargetId& where, std::string_view message) override;
 
-    /// Completes the check, once after all moves. The error is a message: elements for which the post has no
-    /// words.
+    /// Completes the check. Call it once, at the end. The error is a message: elements for which the post has
+    /// no words.
     Result<PathSummary> finish();
 
   private:

@@ -103,7 +103,7 @@ std::optional<path::TargetError> PathFrames::check_touches(const path::MachineSp
     return std::nullopt;
 }
 
-// The tool is retracted before each touch, and after the last one.
+// The tool is retracted before each touch, and once more at the end.
 void PathFrames::emit_touches(path::MoveSink& sink) const {
     std::optional<int> tool;
     for (const ProbedFrame& frame : found_) {

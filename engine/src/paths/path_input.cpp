@@ -48,7 +48,7 @@ Error path_error(const gsim::Error& error) {
     return result;
 }
 
-// After a read error, the part read before is not reported as an erroneous path.
+// If reading fails, the part read so far is not reported as an erroneous path.
 Read read_path_bytes(const PathRequest::ReadBytes& read, const std::string& name) {
     std::optional<std::string> error;
     const auto read_until_error = [&](char* buffer, std::size_t size) -> std::size_t {

@@ -56,7 +56,7 @@ class PathProgram::Sink : public path::MoveSink {
             moves_.run(path, program_.space_.is_coupled() ? merged : static_cast<MoveSink&>(*this)));
         merged.finish();
     }
-    /// Writes the root's lines after those of the program's beginning.
+    /// Writes the lines of the program's beginning, then those of the root.
     void begin() {
         const codegen::Post& post = *program_.post_;
         const Offsets offsets = program_.offsets();

@@ -18,7 +18,7 @@ std::unique_ptr<simulation::RunOutput> make_moves_output(MovesHandler callback,
                                                          const std::vector<std::string>& files);
 std::unique_ptr<simulation::RunOutput> make_segments_output(SegmentsHandler callback,
                                                             const machine::Machine& machine);
-/// Delivers only the last instant after `max_time_s`, at which a run ends.
+/// Delivers nothing past `max_time_s` but the last instant, at which a run ends.
 std::unique_ptr<simulation::RunOutput> make_samples_output(SamplesHandler callback,
                                                            const machine::Machine& machine, double step_s,
                                                            double max_time_s);

@@ -14,7 +14,7 @@ namespace gsim::engine {
 
 using ProgressHandler = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// Returns the options of the script interpreter for a request. The request, and everything that `tell`
+/// Returns the options of the script interpreter for a request. The request, and everything that `tools`
 /// refers to, must outlive it.
 script::Engine::Options engine_options(const Request& request, machine::MachineData data,
                                        const Language& language, const RunContext& tools);

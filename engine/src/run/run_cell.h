@@ -27,7 +27,7 @@ cell::MeshFiles mesh_files(const Host& host);
 /// Returns the bodies to check. It reads meshes of the machine; the error is a message.
 Result<cell::Cell> read_bodies(const CellSource& cell_source, const machine::Machine& machine);
 
-/// Returns the contents of the cell of a run. `conveyors` as in cell::load_cell().
+/// Returns the contents of the cell of a run. `conveyors` as in cell::read_cell().
 Result<cell::Cell> read_cell_contents(const CellSource& cell_source, const machine::Machine& machine,
                                       std::span<const std::string> conveyors = {});
 

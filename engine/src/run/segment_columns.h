@@ -9,7 +9,7 @@
 
 namespace gsim::engine {
 
-/// Returns an output that delivers segments as columns. `machine`, and the TCPs that MoveInfo::tip indexes,
+/// Returns an output that delivers segments as columns. `machine`, and the TCPs that MoveInfo::tcp indexes,
 /// outlive it.
 std::unique_ptr<simulation::RunOutput> make_columns_output(
     ColumnsHandler callback, const machine::Machine& machine,

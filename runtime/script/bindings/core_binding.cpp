@@ -60,7 +60,7 @@ int alarm(lua_State* state) {
     interpreter.alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
 }
 
-/// core.locate_word(): remembers the script's source location.
+/// core.note_place(): remembers the script's source location.
 int locate_word(lua_State* state) {
     bound_interpreter(state).locate(state);
     return 0;
@@ -83,7 +83,7 @@ int repeat_program(lua_State* state) {
     return 0;
 }
 
-/// core.report_pass(count, block or nil): ends a pass of the main program, which leads back to its start or
+/// core.note_pass(count, block or nil): ends a pass of the main program, which leads back to its start or
 /// to that block.
 int report_pass(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
@@ -184,7 +184,7 @@ int set_feed(lua_State* state) {
     return 0;
 }
 
-/// core.reset_feed(): no feed is active.
+/// core.clear_feed(): no feed is active.
 int reset_feed(lua_State* state) {
     bound_interpreter(state).modal().feed = 0;
     return 0;

@@ -41,7 +41,7 @@ int check_axis(lua_State* state, int argument) {
     return axis;
 }
 
-// A controller changes its frames after the moves so far have been made, because it has planned them in the
+// A controller changes its frames once the moves so far have been made, because it has planned them in the
 // old ones.
 int set_offset(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
@@ -139,7 +139,8 @@ int set_programmed(lua_State* state) {
     return 0;
 }
 
-/// core.target(words, others): machine coordinates of all axes after the move, and true if any axis is named.
+/// core.target(words, others): machine coordinates of all axes at the end of the move, and true if any axis
+/// is named.
 int target(lua_State* state) {
     AxisVector values;
     const std::string_view list = luaL_optstring(state, 2, "");
@@ -182,7 +183,7 @@ int direction(lua_State* state) {
     return 3;
 }
 
-/// core.set_tcp_control(nil or offsets by letter in mm): TCP control.
+/// core.set_tip_control(nil or offsets by letter in mm): TCP control.
 int set_tcp_control(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     std::optional<Eigen::Vector3d> offset;
@@ -199,7 +200,7 @@ int set_tcp_control(lua_State* state) {
     return 0;
 }
 
-/// core.tcp_control(): true if it is on.
+/// core.tip_control(): true if it is on.
 int tcp_control(lua_State* state) {
     lua_pushboolean(state, static_cast<int>(bound_interpreter(state).simulator().tcp_control().is_on()));
     return 1;

@@ -60,7 +60,7 @@ SourceLocation check_location(lua_State* state, int index) {
     return {static_cast<std::uint32_t>(code >> 32U), static_cast<std::uint32_t>(code)};
 }
 
-/// core.consume_feed(sweep_rad or nil): the active feed; an F of inverse time feed is used up.
+/// core.take_feed(sweep_rad or nil): the active feed; an F of inverse time feed is used up.
 int consume_feed(lua_State* state) {
     std::optional<double> sweep_rad;
     if (!lua_isnoneornil(state, 1)) sweep_rad = luaL_checknumber(state, 1);
@@ -206,7 +206,7 @@ int exact_stop_once(lua_State* state) {
     return 0;
 }
 
-/// core.dwell_for_word(s, key, place): the machine is at standstill for something that a word has started.
+/// core.take_time(s, key, place): the machine is at standstill for something that a word has started.
 int dwell_for_word(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     const double seconds = luaL_checknumber(state, 1);

@@ -52,7 +52,7 @@ int pose_move(lua_State* state) {
     return 0;
 }
 
-/// core.rotary_joints_move_tcp(): true if a line of the axes between two poses is not one of the tool.
+/// core.tip_turns(): true if a line of the axes between two poses is not one of the tool.
 int rotary_joints_move_tcp(lua_State* state) {
     lua_pushboolean(state,
                     static_cast<int>(bound_interpreter(state).simulator().poses().rotary_joints_move_tcp()));

@@ -60,7 +60,7 @@ inline std::size_t joint_count(lua_State* state) {
     return bound_interpreter(state).simulator().machine().axes.size();
 }
 
-/// Arguments of a script's call, one after the other.
+/// Arguments of a script's call, in order.
 class Arguments {
   public:
     explicit Arguments(lua_State* state) : state_(state) {}
@@ -152,7 +152,7 @@ int call_service(lua_State* state, rrs::Status (rrs::Shell::*method)(Parameters.
     rrs::Shell& shell = bound_shell(state);
     Arguments arguments(state);
     const auto inputs = [&]<std::size_t... at>(std::index_sequence<at...>) {
-        return std::tuple{arguments.next<std::tuple_element_t<at, Inputs>>()...};  // one after the other
+        return std::tuple{arguments.next<std::tuple_element_t<at, Inputs>>()...};  // in order
     }
     (std::make_index_sequence<Traits::kInputs>());
     typename Traits::Outputs outputs{};

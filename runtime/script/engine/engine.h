@@ -51,8 +51,8 @@ class Engine {
     /// Serves several robots, at least one: the script has the words of the first one.
     Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyors, Options options);
 
-    /// Runs to the end, to an alarm or to a limit; the simulators report what happened. Returns false after
-    /// an alarm or a limit.
+    /// Runs to the end, to an alarm or to a limit; the simulators report what happened. Returns false on an
+    /// alarm or a limit.
     bool run(Script script);
     /// Returns the variables that a controller keeps from one run to the next, as they are now. The error is
     /// a message: a run that ended for its memory may leave too little to read them.

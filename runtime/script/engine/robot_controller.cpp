@@ -17,8 +17,6 @@ namespace gsim::script {
 
 namespace {
 
-/// core.corner_override.percent, .before_mm, .after_mm and .angle_deg; the table of core is on top of the
-/// stack.
 /// Pushes a list of words: { code = "M62", text = "M62 P0", words = { p = 0 } }.
 void push_switch_words(lua_State* state, const std::vector<machine::SwitchWord>& words) {
     lua_createtable(state, static_cast<int>(words.size()), 0);
@@ -101,6 +99,8 @@ void set_word_times(lua_State* state, const machine::WordTimes& times) {
     lua_setfield(state, -2, "times");
 }
 
+/// Sets core.corner_override.percent, .before_mm, .after_mm and .angle_deg; the table of core is on top of
+/// the stack.
 void set_corner_override(lua_State* state, const rrs::CornerOverrideRules& rules) {
     lua_createtable(state, 0, 4);
     set_number(state, "percent", rules.percent);

@@ -10,7 +10,7 @@ namespace gsim::script {
 
 /// Implements pairs(t). Entries that are added meanwhile are not visited.
 int ordered_pairs(lua_State* state);
-/// Implements next(t, key): returns the entry with the smallest key, or with the smallest one after `key`. It
+/// Implements next(t, key): returns the entry with the smallest key, or with the next one above `key`. It
 /// scans the full table.
 int ordered_next(lua_State* state);
 

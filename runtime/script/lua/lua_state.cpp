@@ -70,7 +70,7 @@ void LuaState::add_external_bytes(lua_State* state, std::size_t bytes, const cha
 
 void LuaState::count_work(std::uint64_t bytes) {
     steps_ += bytes / kBytesPerStep;
-    // The very next instruction after the limit must check it.
+    // The very first instruction past the limit must check it.
     if (steps_ > limits_.steps && running_ != nullptr) set_hook(running_, 1);
 }
 

@@ -15,14 +15,14 @@
 namespace gsim::script {
 
 /// Lua state that counts its memory and its steps. A script cannot catch the exhaustion of either: it raises
-/// kStop, which the sandbox's pcall passes on.
+/// the error of raise_stop(), which the sandbox's pcall passes on.
 class LuaState {
   public:
     struct Limits {
         std::size_t memory_bytes = std::size_t{2048} << 20U;
         std::uint64_t steps = 200'000'000;  ///< Instructions without a motion or a dwell in between.
     };
-    /// Reason why the state itself raised kStop.
+    /// Reason why the state itself called raise_stop().
     enum class StopReason : std::uint8_t { no, memory, steps, cpu };
 
     /// Cost to copy one of the many values that a call may have.
@@ -75,7 +75,7 @@ class LuaState {
 
     /// Returns the LuaState of a lua_State.
     static LuaState& of(lua_State* state);
-    /// Raises kStop; does not return.
+    /// Raises the error that ends the run; does not return.
     [[noreturn]] static void raise_stop(lua_State* state);
     /// Returns true if the value at `index` is the one that raise_stop() raises.
     static bool is_stop(lua_State* state, int index);

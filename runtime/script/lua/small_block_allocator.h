@@ -16,15 +16,14 @@ class SmallBlockAllocator {
 
     /// Returns a block of `size` bytes, 1 to kMaxBlockSize, aligned like malloc's; null if no memory is left.
     void* allocate_block(std::size_t size);
-    /// Frees a block that take(size) returned.
+    /// Frees a block that allocate_block(size) returned.
     void deallocate_block(void* block, std::size_t size);
     /// Returns true if a block of one size can also hold the other.
     static bool is_same_size_class(std::size_t one, std::size_t other) {
         return one > 0 && one <= kMaxBlockSize && other <= kMaxBlockSize &&
                size_class(one) == size_class(other);
     }
-    /// Returns the number of usable bytes after those of a block of `size`; 0 if it is not one of these
-    /// blocks.
+    /// Returns the number of usable bytes that follow a block of `size`; 0 if it is not one of these blocks.
     static std::size_t spare_bytes(std::size_t size) {
         return size > 0 && size <= kMaxBlockSize ? (size_class(size) + 1) * kAlignment - size : 0;
     }

@@ -44,7 +44,7 @@ lua_Number elements_after(lua_State* state) {
     return lua_gettop(state) < Arguments ? 0 : length(state) - lua_tonumber(state, 2) + 1;
 }
 
-/// Calls the function in the upvalue after its work has been counted.
+/// Calls the function in the upvalue once its work has been counted.
 template <CountElements Count, bool ManyResults>
 int charge_and_call(lua_State* state) {
     if (lua_istable(state, 1)) {

@@ -9,7 +9,7 @@
 namespace gsim::script {
 
 /// Ordinal numbers of the tables of a Lua state. Lua orders tables as keys by their addresses, which differ
-/// from run to run. The number is stored after the object, if a small block has the space.
+/// from run to run. The number is stored past the object, if a small block has the space.
 class TableSerials {
   public:
     /// Gives a number to a table that was allocated with so many bytes.

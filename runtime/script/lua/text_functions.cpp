@@ -98,7 +98,7 @@ int counted_byte(lua_State* state) {
     return count;
 }
 
-/// Returns the position of the conversion letter after a '%' at `at`.
+/// Returns the position of the conversion letter that belongs to a '%' at `at`.
 std::size_t end_of_conversion(std::string_view form, std::size_t at) {
     return std::min(form.find_first_not_of("-+ #0123456789.", at), form.size());
 }

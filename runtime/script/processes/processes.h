@@ -27,7 +27,7 @@ class Processes {
     /// Result of run().
     enum class RunEnd : std::uint8_t {
         completed,
-        error,     ///< Error of Lua: on top of the stack of the thread in `fault`.
+        error,     ///< Error of Lua: on top of the stack of the thread in `error_thread`.
         deadlock,  ///< `message` lists the waiting processes.
     };
     struct Outcome {

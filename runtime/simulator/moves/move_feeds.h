@@ -17,7 +17,7 @@ class MoveFeeds {
               Warnings& warnings)
         : machine_(machine), position_(position), outcome_(outcome), warnings_(warnings) {}
 
-    /// Returns false, after an alarm, if the feed is not positive; `rotary`: only rotary axes move.
+    /// Returns false, with an alarm, if the feed is not positive; `rotary`: only rotary axes move.
     bool check(const Feed& feed, bool rotary, const SourceLocation& location);
     /// Writes the speed or the time of a move. Warns if the speed is above the machine's.
     void apply(const Feed& feed, bool rotary, motion::Move& move);

@@ -36,7 +36,7 @@ class MoveQueue {
           notifier_(notifier),
           feeds_(machine, position, outcome, warnings) {}
 
-    // Each function enqueues a move. It returns false if the run has ended, after an alarm or a limit.
+    // Each function enqueues a move. It returns false if an alarm or a limit has ended the run.
 
     bool enqueue(const LineMove& move);
     bool enqueue(const ArcMove& move);

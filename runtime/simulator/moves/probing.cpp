@@ -147,7 +147,7 @@ bool Probing::make_move(const ProbeMove& move, ProbeSignal* signal, ProbeResult&
     return finish_move(enqueue, line, rotary, at.has_value());
 }
 
-/// The program continues from the position at which the machine has stopped. An observer gets the part of
+/// The program continues from the position where the machine has stopped. An observer gets the part of
 /// the line that was made.
 bool Probing::finish_move(const motion::EnqueueResult& enqueue, LineMove line, bool rotary, bool has_signal) {
     if (has_signal) shorten(line, position_.axes(), position_.at(motion_.source().position()));

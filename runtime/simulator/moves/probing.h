@@ -45,8 +45,8 @@ class Probing {
     /// Sets what probes touch, before the first move. By default they touch the cell or, without a cell,
     /// their targets.
     void set_surface(const ProbeSurface& surface) { surface_ = surface; }
-    /// Makes a probing move: the machine comes to a standstill before it, and stops after the signal as fast
-    /// as its limits permit. Returns false if the run has ended.
+    /// Makes a probing move: the machine comes to a standstill before it, and stops on the signal as fast as
+    /// its limits permit. Returns false if the run has ended.
     bool probe(const ProbeMove& move, ProbeResult& result);
 
   private:

@@ -27,11 +27,11 @@ class TcpControl {
           notifier_(notifier) {}
 
     /// Sets TCP control for the moves that follow, with a tool length offset of the linear axes X, Y and Z in
-    /// mm; no value: off. The machine comes to a standstill. Returns false after an alarm.
+    /// mm; no value: off. The machine comes to a standstill. Returns false on an alarm.
     bool set(const std::optional<Eigen::Vector3d>& offset_mm, const SourceLocation& location);
     bool is_on() const { return position_.tcp_frame().has_value(); }
-    /// Sets the same offset again if it is on, after the machine's frames have changed. Returns false after
-    /// an alarm.
+    /// Sets the same offset again if it is on, once the machine's frames have changed. Returns false on an
+    /// alarm.
     bool renew(const SourceLocation& location);
 
   private:

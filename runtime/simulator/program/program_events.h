@@ -27,7 +27,7 @@ class ProgramEvents {
     ProgramEvents(const ProgramEvents&) = delete;
     ProgramEvents& operator=(const ProgramEvents&) = delete;
 
-    /// Adds an event that happens after everything before it.
+    /// Adds an event that happens once everything before it is done.
     void add(std::string kind, std::string detail, const SourceLocation& location,
              EventTiming timing = EventTiming::at_standstill);
     /// Returns the events with their times.

@@ -9,7 +9,7 @@
 
 namespace gsim::simulation {
 
-/// Zones of a run as the program sets and switches them: each change holds after the moves so far.
+/// Zones of a run as the program sets and switches them: each change holds from the next move on.
 class ProgramZones {
   public:
     /// Begins without zones. All arguments must outlive this.

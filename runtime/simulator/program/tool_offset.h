@@ -31,7 +31,7 @@ class ToolOffset {
     void set(const Eigen::Vector3d& offset_mm);
     const Eigen::Vector3d& offset_mm() const { return offset_mm_; }
     /// Updates the TCP of the tool in use as the machine carries it, even if the program does not set the
-    /// TCP. To be called after the machine's frames have changed.
+    /// TCP. To be called once the machine's frames have changed.
     void update_tcp();
     /// Returns the number of the TCP in use, for MoveInfo::tcp.
     std::uint16_t tcp() const { return tcp_; }

@@ -9,7 +9,7 @@ export interface TextChange {
   insert: string;
 }
 
-/** Returns null if they are the same. Lines of `wanted` may have any line ends. */
+/** Returns null if they are the same. Lines of `targetText` may have any line ends. */
 export function textChange(present: Text, targetText: string): TextChange | null {
   const [before, after] = [present.toString(), targetText.replace(/\r\n?/g, "\n")];
   if (before === after) return null;

@@ -9,7 +9,7 @@ export interface Tabs<Name extends string> {
   choose(name: Name): void;
 }
 
-/** Ids begin with `prefix`; `shown` is called for each tab that becomes visible. */
+/** Ids begin with `prefix`; `displayed` is called for each tab that becomes visible. */
 export function createTabs<Name extends string>(
   label: string,
   titles: Record<Name, string>,

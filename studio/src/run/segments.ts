@@ -138,7 +138,7 @@ export class Segments {
   }
 
   /**
-   * Returns the flags of the active segment, as far as loaded (Stretch.vertexFlags); null: none, or not known.
+   * Returns the flags of the active segment, as far as loaded (RunSection.vertexFlags); null: none, or not known.
    */
   flagsAt(t_s: number): number | null {
     const now = this.activeSegments(t_s);

@@ -53,7 +53,7 @@ function directions({ yaw_rad, elevation_rad }: Camera): [right: Vector, up: Vec
   ];
 }
 
-/** Calls `take` with each position as seen: to the right and up from the middle. */
+/** Calls `visit` with each position as seen: to the right and up from the middle. */
 function project(polyline_mm: Float64Array, middle: Vector, camera: Camera, visit: (right: number, up: number) => void): void {
   const [right, up] = directions(camera);
   for (let i = 0; i < polyline_mm.length; i += 3) {
