@@ -75,25 +75,25 @@ void add_material_options(apps::CommandLine& line, AutopathArguments& arguments)
 }
 
 void add_path_options(apps::CommandLine& line, AutopathArguments& arguments) {
-    engine::CuttingPathOptions& ways = arguments.request.ways;
+    engine::CuttingPathOptions& path = arguments.request.cutting_path;
     line.begin_group("Path");
-    line.add("--at", &ways.origin_mm,
+    line.add("--at", &path.origin_mm,
              "position of the drawing's origin (on the upper side of the material) in the work frame, in mm")
         .with_value_name("X Y Z")
         .within(-1e6, 1e6)
         .show_default();
-    line.add("--lead", &ways.lead_mm, "radius of lead-ins and lead-outs (default: three kerf widths)")
+    line.add("--lead", &path.lead_mm, "radius of lead-ins and lead-outs (default: three kerf widths)")
         .with_value_name("MM")
         .within(0.05, 1000);
-    line.add("--safe-height", &ways.safe_height_mm, "height of linking moves between cuts")
+    line.add("--safe-height", &path.safe_height_mm, "height of linking moves between cuts")
         .with_value_name("MM")
         .within(0, 10'000)
         .show_default();
-    line.add("--cut-height", &ways.cut_height_mm, "height of the nozzle above the material")
+    line.add("--cut-height", &path.cut_height_mm, "height of the nozzle above the material")
         .with_value_name("MM")
         .within(0, 1000)
         .show_default();
-    line.add("--bevel", &ways.bevel_deg,
+    line.add("--bevel", &path.bevel_deg,
              "tilt angle of the jet, except for edges that define a bevel; if positive, the part is smaller "
              "at the bottom")
         .with_value_name("DEG")

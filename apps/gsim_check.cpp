@@ -73,8 +73,7 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
     // The machine is read once, before the confinement, because the files that it names may lie anywhere.
     auto machine = engine::Machine::read(request);
     if (!machine) return findings.fail(machine.error());
-    for (const std::string& note : machine->notes())
-        findings.add({.severity = engine::Severity::note, .code = "machine", .text = note});
+    for (const engine::Diagnostic& diagnostic : machine->diagnostics()) findings.add(diagnostic);
     if (auto bodies = machine->read_bodies(); !bodies) return findings.fail(bodies.error());
     std::vector<std::string> programs;
     for (const std::string& program : arguments.programs)

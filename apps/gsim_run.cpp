@@ -72,8 +72,7 @@ class Run {
         if (!arguments_.studies.check.empty()) request.machine = arguments_.studies.check;
         auto machine = engine::Machine::read(request);
         if (!machine) return findings_.fail(machine.error());
-        for (const std::string& note : machine->notes())
-            report_diagnostic({.severity = engine::Severity::note, .code = "machine", .text = note});
+        for (const engine::Diagnostic& diagnostic : machine->diagnostics()) report_diagnostic(diagnostic);
         if (arguments_.print_machine) {
             is_reported_ = true;
             apps::print(machine->file());

@@ -212,12 +212,12 @@ engine::PathRequest make_request(const WriteArguments& a, bool to_standard_outpu
     if (!std::isnan(a.setup.set_offset_mm[0])) request.set_offset_mm = a.setup.set_offset_mm;
     if (a.setup.tool) request.tool = static_cast<int>(*a.setup.tool);
     request.retract_mm = a.setup.retract_mm;
-    request.tolerance_mm = a.tolerance_mm;
-    if (!a.product.decimals.empty()) request.decimals_mm = a.product.decimals.front() - '0';
-    request.inch = a.product.inch;
-    request.verbose_words = a.product.verbose_words;
-    request.separate_files = a.product.separate_files;
-    request.continue_on_unknown = a.continue_on_unknown;
+    request.format.tolerance_mm = a.tolerance_mm;
+    if (!a.product.decimals.empty()) request.format.decimals_mm = a.product.decimals.front() - '0';
+    request.format.inch = a.product.inch;
+    request.format.verbose_words = a.product.verbose_words;
+    request.format.separate_files = a.product.separate_files;
+    request.format.continue_on_unknown = a.continue_on_unknown;
     request.cpu_s = a.limits.max_cpu_s;
     request.memory_bytes = a.limits.memory_mb << 20U;
     return request;

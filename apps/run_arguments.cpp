@@ -66,15 +66,15 @@ void add_machine_options(CommandLine& line, RunArguments& a) {
     line.add("--setup", &a.request.setup,
              "script (Lua) that runs before the program: user M codes, inputs, results of the probe")
         .takes_file(FileKind::input, {".lua"});
-    line.add("--block-delete", &a.request.block_delete, "skip blocks that begin with /");
+    line.add("--block-delete", &a.request.execution.block_delete, "skip blocks that begin with /");
 }
 
 void add_limit_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Limits");
-    line.add("--stop-at-first", &a.request.stop_at_first,
+    line.add("--stop-at-first", &a.request.execution.stop_at_first,
              "end the run with an alarm if an axis would exceed its limit, or the tool would violate a zone; "
              "otherwise the run continues and reports all of these");
-    line.add("--passes", &a.request.passes,
+    line.add("--passes", &a.request.execution.passes,
              "number of times to run a main program that ends in M99 and returns to its start")
         .with_value_name("N")
         .within(1, 1'000'000)
@@ -115,7 +115,7 @@ void add_override_options(CommandLine& line, RunArguments& a) {
         .takes_file(FileKind::input, {".toml"});
 }
 
-/// Adds the options of a document after the option of its file.
+/// Adds the options of a document, which follow the option of its file.
 void add_document_options(engine::OutputKind output_kind, CommandLine& line, engine::OutputOptions& options) {
     if (output_kind == engine::OutputKind::trajectory) {
         line.add("--step", &options.step_s, "time between samples")
@@ -168,7 +168,7 @@ void add_persistence_options(CommandLine& line, RunArguments& a) {
 
 void add_misc_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Other");
-    line.add("--optional-stop", &a.request.optional_stop, "stop at M01");
+    line.add("--optional-stop", &a.request.execution.optional_stop, "stop at M01");
     line.add("--robots", &a.request.robots,
              "robots and conveyors that the script moves (TOML); moves, trajectories, drawings, plots and "
              "paths are written to one file for each robot")

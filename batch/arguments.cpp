@@ -24,30 +24,30 @@ void add_options(apps::CommandLine& line, Arguments& a) {
         .show_default();
     line.add("--reports", &a.reports, "also store the full report of each run");
     line.add("--pictures", &a.pictures, "also store a picture (SVG) of each run; it requires gnuplot");
-    line.add("--csv", &a.csv, "write the runs of this batch as CSV; -: standard output")
+    line.add("--csv", &a.outputs.csv, "write the runs of this batch as CSV; -: standard output")
         .takes_file(FileKind::output, {".csv"});
-    line.add("--json-lines", &a.json_lines, "write the runs as JSON, one object per line")
+    line.add("--json-lines", &a.outputs.json_lines, "write the runs as JSON, one object per line")
         .takes_file(FileKind::output, {".jsonl"});
-    line.add("--junit", &a.junit, "write the runs as a test report (JUnit)")
+    line.add("--junit", &a.outputs.junit, "write the runs as a test report (JUnit)")
         .takes_file(FileKind::output, {".xml"});
-    line.add("--sarif", &a.sarif, "write the errors of the programs as SARIF 2.1.0")
+    line.add("--sarif", &a.outputs.sarif, "write the errors of the programs as SARIF 2.1.0")
         .takes_file(FileKind::output, {".sarif"});
     line.add(
-        "--statistics", &a.statistics,
+        "--statistics", &a.outputs.statistics,
         "print statistics of the variants of each program: mean, percentiles and failures with their "
         "intervals, and the settings that matter; compare machines with the first one, for each program");
-    line.add("--statistics-json", &a.statistics_json, "write the statistics as JSON, with histograms")
+    line.add("--statistics-json", &a.outputs.statistics_json, "write the statistics as JSON, with histograms")
         .takes_file(FileKind::output, {".json"});
-    line.add("--page", &a.page, "write the statistics as a page with pictures")
+    line.add("--page", &a.outputs.page, "write the statistics as a page with pictures")
         .takes_file(FileKind::output, {".html"});
-    line.add("--pages", &a.pages,
+    line.add("--pages", &a.outputs.pages,
              "write a front page, with the changes since the previous batch and the failures, and a page for "
              "each program to this folder; pages written there before are replaced, other files are kept")
         .takes_file(FileKind::folder);
-    line.add("--views", &a.views,
+    line.add("--views", &a.outputs.views,
              "with --pages: also write a page of the finished run (gsim run --view) for up to 200 runs that "
              "have changed or fail");
-    line.add("--since", &a.since,
+    line.add("--since", &a.outputs.since,
              "with statistics and pages: compare with this batch; 0: the previous one, the default of pages")
         .with_value_name("BATCH");
     line.add("-q,--quiet", &a.quiet, "no progress, no summary");
@@ -58,9 +58,9 @@ void add_options(apps::CommandLine& line, Arguments& a) {
                         "submit the batch: an array of tasks, each with a part of the runs in a separate "
                         "file next to the results, and a job that merges all; the same command submits only "
                         "the lost runs of an earlier batch again");
-    line.add("--wait", &a.wait, "wait until all results are merged");
-    line.add("--status", &a.status, "print the state of the batch");
-    line.add("--cancel", &a.cancel, "cancel its tasks; the finished runs are kept");
+    line.add("--wait", &a.cluster.wait, "wait until all results are merged");
+    line.add("--status", &a.cluster.status, "print the state of the batch");
+    line.add("--cancel", &a.cluster.cancel, "cancel its tasks; the finished runs are kept");
     line.add_example("gsim-batch --machine mine.toml --machine other.toml programs/",
                      "each program of a folder on two machines");
     line.add_example("gsim-batch plan.toml --results nightly.sqlite --junit nightly.xml",

@@ -9,6 +9,20 @@
 
 namespace gsim::batch {
 
+/// Files that gsim-batch writes from the results.
+struct OutputFiles {
+    std::string csv, json_lines, junit, sarif;
+    bool statistics = false;  ///< Printed.
+    std::string statistics_json, page, pages;
+    bool views = false;
+    std::optional<double> since;
+};
+
+/// Commands for a batch on a cluster.
+struct ClusterCommand {
+    bool status = false, cancel = false, wait = false;
+};
+
 /// Arguments of gsim-batch.
 struct Arguments : RunArguments {
     Arguments() { results = "gsim-batch.sqlite"; }
@@ -18,12 +32,8 @@ struct Arguments : RunArguments {
     std::string machine_data, cell, dialect;
     bool no_collisions = false;
     bool reports = false, pictures = false;
-    bool status = false, cancel = false, wait = false;
-    std::string csv, json_lines, junit, sarif;
-    bool statistics = false;
-    std::string statistics_json, page, pages;
-    bool views = false;
-    std::optional<double> since;
+    ClusterCommand cluster;
+    OutputFiles outputs;
     bool quiet = false;
 };
 

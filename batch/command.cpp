@@ -114,34 +114,36 @@ Result<void> write_output(Database& results, const std::string& file,
 }
 
 Result<void> write_statistics(const Arguments& arguments, Database& results) {
-    if (!arguments.statistics && arguments.statistics_json.empty() && arguments.page.empty()) return {};
+    if (!arguments.outputs.statistics && arguments.outputs.statistics_json.empty() &&
+        arguments.outputs.page.empty())
+        return {};
     const auto studies = read_studies(results);
     if (!studies) return tl::unexpected(studies.error());
     auto comparisons = compare_machines(results);
     if (!comparisons) return tl::unexpected(comparisons.error());
-    if (arguments.since) {
+    if (arguments.outputs.since) {
         // The first batch has no predecessor, which is no reason to report nothing.
-        auto before = compare_batches(results, static_cast<std::int64_t>(*arguments.since));
+        auto before = compare_batches(results, static_cast<std::int64_t>(*arguments.outputs.since));
         if (before) {
             comparisons->push_back(*std::move(before));
         } else {
             apps::report_error(kName, before.error().message);
         }
     }
-    if (arguments.statistics) {
+    if (arguments.outputs.statistics) {
         for (const Study& study : *studies) apps::print(text::printable(to_text(study)));
         for (const Comparison& comparison : *comparisons) apps::print(text::printable(to_text(comparison)));
     }
-    return write_text(arguments.statistics_json, to_json(*studies, *comparisons)).and_then([&] {
-        return write_text(arguments.page, to_html(*studies, *comparisons));
+    return write_text(arguments.outputs.statistics_json, to_json(*studies, *comparisons)).and_then([&] {
+        return write_text(arguments.outputs.page, to_html(*studies, *comparisons));
     });
 }
 
 Result<void> write_report_pages(const Arguments& arguments, Database& results) {
-    if (arguments.pages.empty()) return {};
-    PagesOptions options{.folder = arguments.pages,
-                         .since = static_cast<std::int64_t>(arguments.since.value_or(0))};
-    if (arguments.views)
+    if (arguments.outputs.pages.empty()) return {};
+    PagesOptions options{.folder = arguments.outputs.pages,
+                         .since = static_cast<std::int64_t>(arguments.outputs.since.value_or(0))};
+    if (arguments.outputs.views)
         options.views = {.program = (os::program_folder() / "gsim").string(),
                          .version = RunCache().version()};
     return write_pages(results, options);
@@ -157,17 +159,18 @@ Result<void> write_outputs(const Arguments& arguments) {
     const auto lines = [](Database& from, const Sink& sink) {
         return write_json_lines(from, kAllColumnsQuery, sink);
     };
-    const bool uses_standard_output = arguments.csv == "-" || arguments.json_lines == "-" ||
-                                      arguments.junit == "-" || arguments.sarif == "-" ||
-                                      arguments.statistics_json == "-" || arguments.page == "-";
-    return write_output(*results, arguments.csv, csv)
-        .and_then([&] { return write_output(*results, arguments.json_lines, lines); })
-        .and_then([&] { return write_output(*results, arguments.junit, write_junit); })
-        .and_then([&] { return write_output(*results, arguments.sarif, write_sarif); })
+    const bool uses_standard_output = arguments.outputs.csv == "-" || arguments.outputs.json_lines == "-" ||
+                                      arguments.outputs.junit == "-" || arguments.outputs.sarif == "-" ||
+                                      arguments.outputs.statistics_json == "-" ||
+                                      arguments.outputs.page == "-";
+    return write_output(*results, arguments.outputs.csv, csv)
+        .and_then([&] { return write_output(*results, arguments.outputs.json_lines, lines); })
+        .and_then([&] { return write_output(*results, arguments.outputs.junit, write_junit); })
+        .and_then([&] { return write_output(*results, arguments.outputs.sarif, write_sarif); })
         .and_then([&] { return write_statistics(arguments, *results); })
         .and_then([&] { return write_report_pages(arguments, *results); })
         .and_then([&]() -> Result<void> {
-            if (arguments.quiet || uses_standard_output || arguments.statistics) return {};
+            if (arguments.quiet || uses_standard_output || arguments.outputs.statistics) return {};
             return summary(*results).map([](const std::string& text) { apps::print(text::printable(text)); });
         });
 }
@@ -225,7 +228,7 @@ int submit_plan(const Arguments& arguments) {
     auto state = submit(*plan, arguments.cluster_options());
     if (!state) return report_usage_error(state.error().message);
     if (state->shards > 0) {
-        if (!arguments.wait) return report_status(state);
+        if (!arguments.cluster.wait) return report_status(state);
         stop_on_signals();
         state = wait_until_ended(arguments.results, stop_flag(), std::chrono::seconds(2));
     }
@@ -271,9 +274,10 @@ int run_command(const std::string& program_name, const std::vector<std::string>&
     if (!parsed) return report_usage_error(parsed.error().message);
     if (*parsed) return **parsed;
     if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(conflict->message);
-    if (arguments.views && arguments.pages.empty()) return report_usage_error("--views requires --pages");
-    if (arguments.status) return report_status(query_state(arguments.results));
-    if (arguments.cancel) return report_status(cancel(arguments.results));
+    if (arguments.outputs.views && arguments.outputs.pages.empty())
+        return report_usage_error("--views requires --pages");
+    if (arguments.cluster.status) return report_status(query_state(arguments.results));
+    if (arguments.cluster.cancel) return report_status(cancel(arguments.results));
     if (!arguments.inputs.empty()) return arguments.slurm ? submit_plan(arguments) : run_plan(arguments);
     if (arguments.slurm || !arguments.machines.empty() || arguments.retry)
         return report_usage_error("name a plan or programs; --slurm, --machine and --retry require one");

@@ -183,6 +183,8 @@ int finish_search(const OptimiseArguments& a, const SearchPlan& search, const Se
 int run_search(const OptimiseArguments& a) {
     const auto search = read_search_plan(a);
     if (!search) return report_search_error(search.error().message);
+    for (const std::string& warning : search->warnings)
+        apps::report_error(kOptimiseName, "warning: " + warning);
     if (!a.slurm) {
         if (const std::string message = cluster_in_use_error(a.results); !message.empty())
             return report_search_error(message);

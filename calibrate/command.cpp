@@ -2,8 +2,11 @@
 
 #include <utility>
 
+#include "base/os/files.h"
 #include "base/os/output_file.h"
 #include "cli/print.h"
+#include "cli/usage_error.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::calibrate {
 
@@ -13,6 +16,14 @@ apps::CommandLine& add_command(apps::CommandLine& line, SelectedCommand& selecte
         line.add_command(name, description, [&selected, action = std::move(action)] { selected = action; });
     command.begin_group("Options");
     return command;
+}
+
+Result<machine::Machine> read_machine_argument(const std::string& file) {
+    machine::FileMessages messages;
+    auto machine = machine::load_machine(file, os::NameSource::in_file, os::disk(), &messages);
+    for (const std::string& warning : messages.warnings)
+        apps::report_error("gsim-calibrate", "warning: " + warning);
+    return machine;
 }
 
 Result<void> write_if_named(const std::string& file, const std::string& text) {

@@ -48,7 +48,7 @@ struct GeometryArguments {
 };
 
 void add_fit_options(apps::CommandLine& line, GeometryArguments& arguments) {
-    line.add("tips", &arguments.tcps,
+    line.add("tcps", &arguments.tcps,
              "list of measured TCP positions: columns with the letters of axes, x_mm, y_mm, z_mm, optionally "
              "roll_deg, pitch_deg, yaw_deg, sigma_mm, sigma_deg")
         .takes_file(apps::FileKind::input, {".csv", ".tsv"});
@@ -211,7 +211,7 @@ Result<void> fit_to_tcps(const GeometryArguments& arguments, const machine::Mach
 }
 
 Result<void> run_geometry(const GeometryArguments& arguments) {
-    const auto machine = machine::load_machine(arguments.machine);
+    const auto machine = read_machine_argument(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     if (const auto unknown = find_unknown_fixed(*machine, arguments.deviation_options()))
         return Unexpected(fmt::format("--fix: unknown deviation '{}'", *unknown));

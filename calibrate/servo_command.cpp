@@ -64,7 +64,7 @@ std::string report_text(const ServoFit& fit, const machine::Axis& axis) {
 }
 
 Result<void> fit_all(const ServoArguments& arguments) {
-    auto machine = machine::load_machine(arguments.machine);
+    auto machine = read_machine_argument(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     const auto text = os::read_text_file(arguments.record);
     if (!text) return tl::unexpected(text.error());

@@ -115,7 +115,7 @@ Result<void> add_records(const RecordFormat& record_format, std::vector<Recorded
 }
 
 Result<FitInputs> read_fit_inputs(const Arguments& arguments) {
-    auto machine = machine::load_machine(arguments.machine);
+    auto machine = read_machine_argument(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     if (machine::is_torque_limited(*machine))
         return Unexpected(

@@ -85,7 +85,7 @@ struct DrawingRequest {
     std::string drawing = {};
     DrawingOptions reading = {};
     CuttingOptions cutting = {};
-    CuttingPathOptions ways = {};
+    CuttingPathOptions cutting_path = {};
     /// Contours of a part (Host::read_contours) instead of a drawing or a flat part.
     std::optional<SurfaceCuttingOptions> surface = {};
     /// If missing, no check is made.
@@ -106,8 +106,8 @@ struct CuttingMetrics {
     double reorientation_s = 0;       ///< Part of it: turning at a fixed position.
     double taper_compensation_s = 0;  ///< Part of it: extra time for taper compensation.
     std::size_t dynamic_pierces = 0;
-    /// For DrawingRequest::place: paths from cut to cut, and those that were rerouted.
-    std::size_t ways = 0, rerouted_moves = 0;
+    /// For DrawingRequest::work_cell: paths from cut to cut, and those that were rerouted.
+    std::size_t linking_paths = 0, rerouted_moves = 0;
 };
 
 /// The consumption for cutting it, by the material. Money is in `currency`.
@@ -142,8 +142,9 @@ class GSIM_API DrawingPath {
     /// Reads the drawing, and settles the cutting parameters. "usage": options that do not fit the drawing or
     /// each other.
     tl::expected<void, Error> read();
-    /// Makes the path, after read(). `on_diagnostic` receives the deviations from the drawing. An error of
-    /// the drawing itself is returned with `in_program`: ends that stay open, contours that cross.
+    /// Makes the path, once read() has succeeded. `on_diagnostic` receives the deviations from the drawing.
+    /// An error of the drawing itself is returned with `in_program`: ends that stay open, contours that
+    /// cross.
     tl::expected<void, Error> make(const DiagnosticHandler& on_diagnostic = {});
 
     /// Writes the path file (docs/paths.md) after make(), for PathTranslation or a viewer. It stops when a

@@ -46,6 +46,8 @@ class GSIM_API Machine {
 
     /// Returns messages about the controller's settings that are not imported.
     const std::vector<std::string>& notes() const;
+    /// Returns warnings about the machine file, and notes().
+    std::vector<Diagnostic> diagnostics() const;
     /// Returns the machine file that the request or the cell names; empty: the built-in one.
     const std::string& machine_file() const;
     /// Returns the file of machine data that the request or the cell names; empty: none.

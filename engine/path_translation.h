@@ -40,6 +40,17 @@ struct PathChanges {
     std::vector<Feed> feeds = {};
 };
 
+/// Form of a written program.
+struct ProgramFormat {
+    double tolerance_mm = 0.01;           ///< Max deviation of lines that replace an arc.
+    std::optional<int> decimals_mm = {};  ///< Digits of lengths; left out: the post's.
+    bool inch = false;
+    bool verbose_words = false;   ///< Words are written though they have not changed.
+    bool separate_files = false;  ///< Each sub-path in a separate file.
+    /// Elements without words in the post become comments, instead of an error.
+    bool continue_on_unknown = false;
+};
+
 /// The path to write as a part program, and its options. Names are those of files, or as Host::find finds
 /// them.
 struct PathRequest {
@@ -64,14 +75,8 @@ struct PathRequest {
     /// The machine coordinate of Z to which the tool retracts before it or the work offset changes; if
     /// missing: the end of the axis.
     std::optional<double> retract_mm = {};
-    double tolerance_mm = 0.01;           ///< Max deviation of lines that replace an arc.
-    std::optional<int> decimals_mm = {};  ///< Digits of lengths; left out: the post's.
-    bool inch = false;
-    bool verbose_words = false;   ///< Words are written though they have not changed.
-    bool separate_files = false;  ///< Each sub-path in a separate file.
-    bool continue_on_unknown =
-        false;              ///< Elements without words in the post become comments, instead of an error.
-    double cpu_s = 86'400;  ///< For a script, in the calling thread, from open() on.
+    ProgramFormat format = {};
+    double cpu_s = 86'400;                      ///< For a script, in the calling thread, from open() on.
     std::uint64_t memory_bytes = 2048U << 20U;  ///< For a script.
     Host host = {};
     Cancel cancel = {};
@@ -96,7 +101,7 @@ class GSIM_API PathTranslation {
     tl::expected<void, Error> read();
     /// Returns the remainder of PathRequest::cpu_s, in s.
     double cpu_left_s() const;
-    /// Plans the axes after read() and checks every move, so that writing cannot fail.
+    /// Plans the axes once read() has succeeded, and checks every move, so that writing cannot fail.
     tl::expected<void, Error> plan();
 
     /// Returns messages for the user, after plan(): sub-segments, unwinding, elements for which the post has

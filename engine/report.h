@@ -79,6 +79,21 @@ struct AxisRange {
     double limit_min = 0, limit_max = 0;
 };
 
+/// Parts of the cycle time.
+struct ReportTimes {
+    double rapid_s = 0, feed_s = 0, dwell_s = 0;
+};
+
+/// Distances of the TCP.
+struct ReportDistances {
+    double rapid_mm = 0, feed_mm = 0, process_on_mm = 0;
+};
+
+struct ReportCounts {
+    std::uint64_t blocks = 0;
+    std::uint64_t moves = 0;
+};
+
 /// The results of a run. Frequently needed values are fields; json() and text() have everything
 /// (docs/report.md).
 struct GSIM_API Report {
@@ -96,10 +111,9 @@ struct GSIM_API Report {
         double max_s = 0;
     };
     std::optional<Interval> cycle_time_95 = {};
-    double rapid_s = 0, feed_s = 0, dwell_s = 0;
-    double rapid_mm = 0, feed_mm = 0, process_on_mm = 0;
-    std::uint64_t blocks = 0;
-    std::uint64_t moves = 0;
+    ReportTimes times = {};
+    ReportDistances distances = {};
+    ReportCounts counts = {};
     std::vector<AxisRange> ranges = {};
     std::vector<Violation> violations = {};  ///< The first ones by time.
     std::uint64_t violation_count = 0;       ///< Number of all.

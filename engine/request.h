@@ -65,6 +65,14 @@ class GSIM_API CompiledLuaLibrary {
     std::shared_ptr<script::CompiledLibraryCache> compiled_;
 };
 
+/// Handling of a program's blocks and ends.
+struct ExecutionOptions {
+    std::uint64_t passes = 1;    ///< For a main program that leads back to its start.
+    bool stop_at_first = false;  ///< The first violation of a range or a zone ends the run.
+    bool block_delete = false;   ///< Blocks that begin with / are left out.
+    bool optional_stop = false;  ///< M01 stops.
+};
+
 /// The program to run, and its environment. Names are those of files, or as Host::find finds them; an empty
 /// one: none.
 struct Request {
@@ -86,12 +94,9 @@ struct Request {
     LanguageOptions language = {};
     OverrideOptions overrides = {};
     Limits limits = {};
-    std::uint64_t passes = 1;    ///< For a main program that leads back to its start.
-    bool stop_at_first = false;  ///< The first violation of a range or a zone ends the run.
-    bool collisions = true;      ///< Bodies of machines and cells are looked at.
-    bool block_delete = false;   ///< Blocks that begin with / are left out.
-    bool optional_stop = false;  ///< M01 stops.
-    bool explain = false;        ///< The report explains the time consumption.
+    ExecutionOptions execution = {};
+    bool collisions = true;  ///< Bodies of machines and cells are checked.
+    bool explain = false;    ///< The report explains the time consumption.
     Host host = {};
     Cancel cancel = {};
 };

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""The bodies of the AF-series gantry, as [[shape]] tables of its machine files, and the mesh of its test part.
+"""Writes the bodies of the AF-series gantry as [[shape]] tables of its machine files, and the mesh of its test part.
 
 Usage: af5_bodies.py          writes them into samples/machines/af5*.toml and samples/cell/wheel.obj
-       af5_bodies.py --check  says whether they are what stands there
+       af5_bodies.py --check  fails if the files differ from them
 
-Strokes, ranges and how the machine is built (a gantry that stands free, its axes between its legs and above the work, the
-cutting tip where both rotary axes meet) are those of the thesis's Table C.1 and Figure C.1. Sizes of bodies it does not give: those
-marked 'estimate' are ours, with room for all strokes. A tip that stays where it is while the
-head tilts, with nothing at its height, takes a guide about the tip: an arc on which the head goes.
+Strokes, ranges and the construction of the machine are those of the thesis's Table C.1 and Figure C.1: a free-standing gantry with
+its axes between its legs and above the work, and the TCP at the point where both rotary axes meet. The thesis does not give sizes of
+bodies: those marked 'estimate' are ours, with clearance for all strokes. The TCP does not move while the head tilts, and nothing is at
+its height, so there must be a guide about the TCP: an arc on which the head moves.
 """
 
 import math
@@ -24,18 +24,18 @@ MARK = "# Bodies, written by scripts/af5_bodies.py.\n"
 STROKE_X, STROKE_Y, STROKE_Z = 1828.8, 2438.4, 609.6
 CENTRE_X, CENTRE_Y = STROKE_X / 2, STROKE_Y / 2
 
-# The head, from the tip up along the tool's axis. The tube is the usual one of abrasive heads, 0.281 by 3 in; its end is
-# ground to a point, 6 mm off the work, so that it is clear of a plate at the 71 degrees of the test part.
+# The head, from the TCP up along the tool's axis. The tube is the usual one of abrasive heads, 0.281 by 3 in. Its end is
+# ground to a point, 6 mm off the work, so that it does not touch a plate at the 71 degrees of the test part.
 STAND_OFF, POINT_END, TUBE_END = 6.0, 14.0, 90.2
 GUARD_AT, HEAD_END, VALVE_END, CARRIAGE_END = 75.0, 180.0, 290.0, 340.0  # estimates
-JET_END = -60.0  # where the water of the catcher has taken the jet's force; estimate
+JET_END = -60.0  # the water of the catcher stops the jet at this height; estimate
 
-# The guide of the tilt axis, an arc about the tip, and what carries it. Estimates.
+# The guide of the tilt axis, an arc about the TCP, and the bodies that carry it. Estimates.
 GUIDE_RADIUS, GUIDE_DEPTH, GUIDE_WIDTH, GUIDE_HALF_DEG, GUIDE_PARTS = 370.0, 50.0, 80.0, 70.0, 5
 TURNTABLE_FROM, TURNTABLE_TO = 395.0, 545.0
 RAM_TO = 1545.0
 
-# The gantry, from the place of the tip where all axes are at 0. Estimates, but that all strokes fit in.
+# The gantry, from the TCP with all axes at 0. Estimates with clearance for all strokes.
 BRIDGE_FROM, BRIDGE_TO = 1240.0, 1560.0
 LEGS_BEYOND = 700.0
 FLOOR, TANK_FROM, TANK_TO = -1000.0, -650.0, -150.0
@@ -50,18 +50,18 @@ def cylinder(name, on, diameter, height, place, source):
 
 
 def base_box(name, size, centre, source):
-    """On the base, whose frame has its X up, its Y against the world's, its Z along the world's X."""
+    """Returns a box on the base, whose frame has its X up, its Y opposite to the world's Y, its Z along the world's X."""
     return box(name, "base", (size[2], size[1], size[0]), {"x_mm": centre[2], "y_mm": -centre[1], "z_mm": centre[0]}, source)
 
 
 def bridge_box(name, size, centre, source):
-    """On the bridge, whose frame has its X up, its Y along the world's X, its Z along the world's Y."""
+    """Returns a box on the bridge, whose frame has its X up, its Y along the world's X, its Z along the world's Y."""
     return box(name, "X", (size[2], size[0], size[1]), {"x_mm": centre[2], "y_mm": centre[0], "z_mm": centre[1]}, source)
 
 
 def base():
     yield base_box("tank", (STROKE_X + 300, STROKE_Y + 300, TANK_TO - TANK_FROM), (CENTRE_X, CENTRE_Y, (TANK_FROM + TANK_TO) / 2),
-                   "the catcher: the strokes and 150 mm all round; estimate")
+                   "the catcher: the strokes plus 150 mm on each side; estimate")
     for side, y in (("left", -LEGS_BEYOND), ("right", STROKE_Y + LEGS_BEYOND)):
         yield base_box(f"{side} rail", (STROKE_X + 1200, 200, 200), (CENTRE_X, y, BRIDGE_FROM - 100), "estimate")
         for end, x in (("front", -500.0), ("rear", STROKE_X + 500)):
@@ -75,8 +75,8 @@ def axes(turn, tilt):
     yield bridge_box("bridge", (250, STROKE_Y + 2 * LEGS_BEYOND + 200, height), (-350, CENTRE_Y, middle), "estimate")
     yield box("carriage", "Y", (375, 400, height), {"x_mm": -37.5, "z_mm": middle}, "estimate")
     yield box("ram", "Z", (160, 160, RAM_TO - TURNTABLE_TO), {"z_mm": (TURNTABLE_TO + RAM_TO) / 2},
-              "as long as its stroke and the carriage's height; estimate")
-    # Behind the rotary axis about the vertical Y points down and Z along the axis of the tilt.
+              "as long as its stroke plus the carriage's height; estimate")
+    # In the frame after the rotary axis about the vertical, Y points down and Z along the axis of the tilt.
     yield cylinder("turntable", turn, 220, TURNTABLE_TO - TURNTABLE_FROM,
                    {"y_mm": -(TURNTABLE_FROM + TURNTABLE_TO) / 2, "yaw_deg": 90.0}, "estimate")
     part = 2 * GUIDE_HALF_DEG / GUIDE_PARTS
@@ -87,7 +87,7 @@ def axes(turn, tilt):
                   {"x_mm": GUIDE_RADIUS * math.sin(math.radians(angle)),
                    "y_mm": -GUIDE_RADIUS * math.cos(math.radians(angle)), "roll_deg": angle},
                   "a fifth of the arc on which the head tilts; estimate")
-    # Behind the tilt Z points along the tool.
+    # In the frame after the tilt, Z points along the tool.
     yield box("tilt carriage", tilt, (120, 90, CARRIAGE_END - VALVE_END), {"z_mm": (VALVE_END + CARRIAGE_END) / 2}, "estimate")
 
 
@@ -95,13 +95,13 @@ def tool():
     def part(name, diameter, low, high, source):
         return cylinder(name, "tool", diameter, high - low, {"z_mm": (low + high) / 2}, source)
 
-    yield part("valve", 60, HEAD_END, VALVE_END, "on and off, by air; estimate")
+    yield part("valve", 60, HEAD_END, VALVE_END, "pneumatic, on and off; estimate")
     yield part("head", 45, TUBE_END, HEAD_END, "PASER3: orifice and mixing chamber; estimate")
     yield cylinder("abrasive inlet", "tool", 12, 60, {"y_mm": 50.0, "z_mm": 105.0, "yaw_deg": 90.0}, "to the side of the tilt; estimate")
     yield part("guard", 40, GUARD_AT - 5, GUARD_AT + 5, "against splashes; estimate")
     yield part("nozzle", 7.14, POINT_END, TUBE_END, "mixing tube, 0.281 by 3 in")
     yield part("nozzle end", 3, STAND_OFF, POINT_END, "its end, ground to a point; estimate")
-    yield cylinder("jet", "jet", 1, STAND_OFF - JET_END, {"z_mm": (STAND_OFF + JET_END) / 2}, "kerf 1 mm; where the water ends it is an estimate")
+    yield cylinder("jet", "jet", 1, STAND_OFF - JET_END, {"z_mm": (STAND_OFF + JET_END) / 2}, "kerf 1 mm; its depth in the water is an estimate")
 
 
 def table(name, on, form, place, source):
@@ -114,7 +114,7 @@ def bodies(turn, tilt):
     return "".join(table(*shape) for group in (base(), axes(turn, tilt), tool()) for shape in group)
 
 
-# The letters about the vertical and of the tilt.
+# The letters of the axis about the vertical and of the tilt axis.
 MACHINES = {"af5.toml": "BC", "af5-measured.toml": "BC", "af5-table-letters.toml": "CB"}
 WHEEL = (500, 500)
 

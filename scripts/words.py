@@ -23,6 +23,9 @@ NAME_WORDS = """anew answer answers apart ask asks behind beside choice crowd fa
 # Words of sentences. Most words above are plain English in a sentence.
 PROSE_WORDS = """anew behind beside foretell foretold guest leeway mended sentence sentences stance stances stranger strangers tell tells told
     way ways where who whoever whole""".split()
+# "Where" and "behind" are for places (docs/style.md): the point where an axis turns, an axis that lags behind.
+OF_PLACES = re.compile(r"\b(?:(?:points?|positions?|places?|lines?|locations?|spots?|ends?|edges?|corners?|folders?|files?|side) where"
+                       r"|(?:lags?|lagging|material|exit|queued|hidden|tool|robot) behind)\b")
 PROSE_PHRASES = ["by lot", "for ever", "in vain", "to and fro"]
 
 CODE = {".cpp": "c", ".h": "c", ".def": "c", ".ts": "c", ".mjs": "c", ".c": "c", ".y": "c", ".l": "c", ".lua": "lua", ".py": "hash",
@@ -60,7 +63,7 @@ def parts(identifier):
 
 def prose_uses(text):
     """The banned words and phrases of a text, each as often as it occurs."""
-    lower = text.lower()
+    lower = OF_PLACES.sub(" ", re.sub(r"\s*\n\s*(?://[/!]?<?|\*|#|--)?\s*", " ", text.lower()))
     for word in WORD.findall(lower):
         if word in PROSE_WORDS:
             yield word

@@ -142,7 +142,7 @@ Result<std::vector<std::string>> server_command(const StudioArguments& arguments
     const nlohmann::ordered_json page_setup{
         {"folder", folder.filename().string()}, {"setup", *setup}, {"version", version()}};
     const nlohmann::ordered_json all{{"folder", folder.string()}, {"port", arguments.port},
-                                     {"page", page->string()},    {"told", page_setup},
+                                     {"page", page->string()},    {"page_data", page_setup},
                                      {"engine", engine},          {"browser", !arguments.no_browser}};
     using Json = nlohmann::ordered_json;
     return std::vector<std::string>{server->string(),

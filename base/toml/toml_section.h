@@ -16,6 +16,7 @@
 
 #include "base/text/format.h"
 #include "base/text/nearest_name.h"
+#include "base/toml/renamed_keys.h"
 #include "base/toml/toml_library.h"
 
 namespace gsim::base {
@@ -27,22 +28,33 @@ class FirstError {
     explicit FirstError(std::string_view file_name) : file_name_(file_name) {}
 
     void report(const toml::source_position& where, std::string_view message) {
-        std::string location = fmt::format("{}:{}:{}: ", file_name_, std::max<unsigned>(1, where.line),
-                                           std::max<unsigned>(1, where.column));
+        const std::string location = locate(where);
         // A second error at a position is a consequence of the first.
         const auto is_known = [&](const std::string& text) { return text.starts_with(location); };
         if (!std::any_of(all_.begin(), all_.end(), is_known)) keep(location + in_one_line(message));
     }
 
+    /// Adds a message about content that is read, but that a later version will reject.
+    void warn(const toml::source_position& where, std::string_view message) {
+        warnings_.push_back(locate(where) + in_one_line(message));
+    }
+
     /// Adds the error of another file, which contains its own source location.
     void adopt(std::string text) { keep(std::move(text)); }
+    void adopt_warning(std::string text) { warnings_.push_back(std::move(text)); }
 
     const std::optional<std::string>& text() const { return first_; }
     /// Returns one error for each position, the first one first.
     const std::vector<std::string>& all() const { return all_; }
+    const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
     static constexpr std::size_t kMaxErrors = 100;
+
+    std::string locate(const toml::source_position& where) const {
+        return fmt::format("{}:{}:{}: ", file_name_, std::max<unsigned>(1, where.line),
+                           std::max<unsigned>(1, where.column));
+    }
 
     void keep(std::string text) {
         if (!first_) first_ = text;
@@ -60,6 +72,7 @@ class FirstError {
     std::string_view file_name_;
     std::optional<std::string> first_;
     std::vector<std::string> all_;
+    std::vector<std::string> warnings_;
 };
 
 /// Returns the tables of a file; if it is not TOML, none and an error.
@@ -78,7 +91,8 @@ enum class NumberRule {
     count,         ///< An integer number of objects to keep in memory.
 };
 
-/// One table of the file with its permitted keys.
+/// One table of the file with its permitted keys. A key may also have its name of before
+/// (renamed_keys.h).
 class TomlSection {
   public:
     TomlSection(FirstError& error, const toml::table& table, std::string title,
@@ -88,19 +102,26 @@ class TomlSection {
     }
 
     const std::string& title() const { return title_; }
-    bool has(std::string_view key) const { return table_.contains(key); }
+    /// Returns the value of `key`, or null if the section does not have it.
+    const toml::node* find(std::string_view key) const {
+        if (const toml::node* node = table_.get(key)) return node;
+        const auto old_name = old_key_name(title_, key);
+        return old_name ? table_.get(*old_name) : nullptr;
+    }
+    bool has(std::string_view key) const { return find(key) != nullptr; }
     /// Returns the position of the value of `key`, or of the section if it has no such key.
     toml::source_position where(std::string_view key) const {
-        const toml::node* node = table_.get(key);
+        const toml::node* node = find(key);
         return node ? node->source().begin : table_.source().begin;
     }
     void fail(std::string_view key, std::string_view message) { error_.report(where(key), message); }
     /// Adds the error of a file that this section names.
     void add_file_error(std::string text) { error_.adopt(std::move(text)); }
+    void add_file_warning(std::string text) { error_.adopt_warning(std::move(text)); }
 
     /// Returns the value of `key`, or null; a missing key is an error.
     const toml::node* require(std::string_view key) {
-        const toml::node* node = table_.get(key);
+        const toml::node* node = find(key);
         if (!node) fail(key, fmt::format("{} lacks the key '{}'", title_, key));
         return node;
     }
@@ -114,7 +135,7 @@ class TomlSection {
     }
 
     double number(std::string_view key, double fallback, NumberRule rule) {
-        const toml::node* node = table_.get(key);
+        const toml::node* node = find(key);
         if (!node) return fallback;
         if (!node->is_number()) {
             fail_type(key, "a number", *node);
@@ -129,7 +150,7 @@ class TomlSection {
     }
 
     bool flag(std::string_view key, bool fallback) {
-        const toml::node* node = table_.get(key);
+        const toml::node* node = find(key);
         if (!node) return fallback;
         if (const auto* value = node->as_boolean()) return value->get();
         fail_type(key, "true or false", *node);
@@ -138,7 +159,7 @@ class TomlSection {
 
     /// Returns the index in `names` of the value under `key`.
     std::size_t choice(std::string_view key, std::size_t fallback, std::span<const std::string_view> names) {
-        const toml::node* node = table_.get(key);
+        const toml::node* node = find(key);
         if (!node) return fallback;
         const auto value = node->value<std::string_view>();
         const auto found = value ? std::find(names.begin(), names.end(), *value) : names.end();
@@ -150,7 +171,7 @@ class TomlSection {
 
     /// Returns the table under `key`, or null if it does not exist.
     const toml::table* table(std::string_view key) {
-        const toml::node* node = table_.get(key);
+        const toml::node* node = find(key);
         if (!node) return nullptr;
         if (!node->is_table()) fail_type(key, "a table", *node);
         return node->as_table();
@@ -191,10 +212,20 @@ class TomlSection {
     void check_known(const toml::key& key, std::span<const std::string_view> known_keys) {
         const std::string_view name = key.str();
         if (std::find(known_keys.begin(), known_keys.end(), name) != known_keys.end()) return;
+        if (const auto new_name = renamed_key(title_, name)) return check_renamed(key, *new_name);
         const auto nearest = text::nearest_name(name, known_keys);
         const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
                                          : fmt::format("known keys: {}", text::joined(known_keys, ", "));
         error_.report(key.source().begin, fmt::format("unknown key '{}' in {}; {}", name, title_, hint));
+    }
+
+    void check_renamed(const toml::key& key, std::string_view new_name) {
+        if (table_.contains(new_name)) {
+            error_.report(key.source().begin, fmt::format("'{}' is the old name of '{}', which {} also has",
+                                                          key.str(), new_name, title_));
+        } else {
+            error_.warn(key.source().begin, deprecated_key_text(key.str(), new_name));
+        }
     }
 
     void fail_type(std::string_view key, std::string_view expected_type, const toml::node& node) {

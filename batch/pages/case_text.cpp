@@ -21,8 +21,8 @@ constexpr std::size_t kMaxFiles = 100;  // of those that a run has read
 std::string time_with_interval(const Case& of, const RunDetails& run) {
     if (!of.now->has_time()) return fmt::format("{} s, but it ended early", seconds(of.now->time_s));
     std::string text = seconds(of.now->time_s) + " s";
-    if (run.min_s && run.max_s)
-        text += fmt::format(" (95 %: {} to {} s)", seconds(*run.min_s), seconds(*run.max_s));
+    if (run.times.min_s && run.times.max_s)
+        text += fmt::format(" (95 %: {} to {} s)", seconds(*run.times.min_s), seconds(*run.times.max_s));
     return text;
 }
 
@@ -45,12 +45,12 @@ std::string metrics_list(const CaseDetails& details) {
     if (!facts.is_clean()) all.emplace_back("First error", first_error(facts));
     all.emplace_back("Cycle time", time_with_interval(*details.of, run));
     all.emplace_back("of which",
-                     fmt::format("{} s in rapid, {} s at feed, {} s dwelling", seconds(run.rapid_s),
-                                 seconds(run.feed_s), seconds(run.dwell_s)));
+                     fmt::format("{} s in rapid, {} s at feed, {} s dwelling", seconds(run.times.rapid_s),
+                                 seconds(run.times.feed_s), seconds(run.times.dwell_s)));
     all.emplace_back("Distance",
                      fmt::format("{:.1f} mm in rapid, {:.1f} mm at feed, {:.1f} mm with the process on",
-                                 run.rapid_mm, run.feed_mm, run.process_on_mm));
-    all.emplace_back("Blocks, moves", fmt::format("{}, {}", run.blocks, run.moves));
+                                 run.distances.rapid_mm, run.distances.feed_mm, run.distances.process_on_mm));
+    all.emplace_back("Blocks, moves", fmt::format("{}, {}", run.counts.blocks, run.counts.moves));
     if (std::string extents = extents_text(run.extents); !extents.empty())
         all.emplace_back("Extents", std::move(extents));
     if (run.energy_j)

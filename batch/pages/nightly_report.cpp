@@ -14,7 +14,7 @@ constexpr std::int64_t kMaxBatches = 90;  // of a history
 constexpr std::size_t kMaxDetails = 40;   // of a program's page
 constexpr std::size_t kNoCase = static_cast<std::size_t>(-1);
 constexpr std::string_view kBatchQuery =
-    "SELECT id, plan, version, began_at, coalesce(ended_at, ''), jobs, whole FROM batch ";
+    "SELECT id, plan, version, began_at, coalesce(ended_at, ''), jobs, complete FROM batch ";
 constexpr std::string_view kRunQuery =
     "SELECT program, machine, settings, status, cause, message, file, line, cycle_time_s, violations, "
     "collisions, process_findings, warnings FROM run WHERE id = ?";
@@ -112,7 +112,7 @@ class NightlyReportReader {
         return {};
     }
 
-    /// Calls `take` with case and run of each job of a batch. Unknown cases are added or left out.
+    /// Calls `on_run` with case and run of each job of a batch. Unknown cases are added or left out.
     template <typename Visitor>
     Result<void> for_each_run(NightlyReport& report, BatchSummary& batch, bool add_missing,
                               const Visitor& on_run) {

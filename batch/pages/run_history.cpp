@@ -14,30 +14,29 @@ std::optional<double> optional_number(const Statement& row, int column) {
 
 RunDetails run_details_from_row(const Statement& row) {
     const auto text = [&](int column) { return std::string(row.text(column)); };
-    return {.key = text(23),
-            .program = text(0),
-            .machine = text(1),
-            .program_sha256 = text(2),
-            .machine_sha256 = text(3),
-            .machine_name = text(4),
-            .controller = text(5),
-            .version = text(6),
-            .run_at = text(7),
-            .options = text(8),
-            .settings = text(9),
-            .extents = text(10),
-            .findings = text(11),
-            .min_s = optional_number(row, 12),
-            .max_s = optional_number(row, 13),
-            .energy_j = optional_number(row, 14),
-            .rapid_s = row.number(15),
-            .feed_s = row.number(16),
-            .dwell_s = row.number(17),
-            .rapid_mm = row.number(18),
-            .feed_mm = row.number(19),
-            .process_on_mm = row.number(20),
-            .blocks = row.integer(21),
-            .moves = row.integer(22)};
+    return {
+        .key = text(23),
+        .program = text(0),
+        .machine = text(1),
+        .program_sha256 = text(2),
+        .machine_sha256 = text(3),
+        .machine_name = text(4),
+        .controller = text(5),
+        .version = text(6),
+        .run_at = text(7),
+        .options = text(8),
+        .settings = text(9),
+        .extents = text(10),
+        .findings = text(11),
+        .energy_j = optional_number(row, 14),
+        .times = {.min_s = optional_number(row, 12),
+                  .max_s = optional_number(row, 13),
+                  .rapid_s = row.number(15),
+                  .feed_s = row.number(16),
+                  .dwell_s = row.number(17)},
+        .distances = {.rapid_mm = row.number(18), .feed_mm = row.number(19), .process_on_mm = row.number(20)},
+        .counts = {.blocks = static_cast<std::uint64_t>(row.integer(21)),
+                   .moves = static_cast<std::uint64_t>(row.integer(22))}};
 }
 
 }  // namespace
@@ -45,9 +44,10 @@ RunDetails run_details_from_row(const Statement& row) {
 Result<RunHistory> RunHistory::open(Database& results) {
     auto run = results.prepare(
         "SELECT program, machine, program_sha256, machine_sha256, machine_name, controller, version, ran_at, "
-        "options, settings, extents, findings, least_s, most_s, energy_j, rapid_s, feed_s, dwell_s, "
+        "options, settings, extents, findings, cycle_time_min_s, cycle_time_max_s, energy_j, rapid_s, "
+        "feed_s, dwell_s, "
         "rapid_mm, "
-        "feed_mm, jet_on_mm, blocks, moves, key FROM run WHERE id = ?");
+        "feed_mm, process_on_mm, blocks, moves, key FROM run WHERE id = ?");
     if (!run) return tl::unexpected(run.error());
     auto files = results.prepare(
         "SELECT file, sha256 FROM run_input JOIN input ON input.id = run_input.input WHERE run = ? ORDER BY "

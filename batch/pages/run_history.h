@@ -19,10 +19,10 @@ struct RunDetails {
     std::string program_sha256 = {}, machine_sha256 = {};
     std::string machine_name = {}, controller = {}, version = {}, run_at = {};
     std::string options = {}, settings = {}, extents = {}, findings = {};  ///< JSON.
-    std::optional<double> min_s = {}, max_s = {}, energy_j = {};
-    double rapid_s = 0, feed_s = 0, dwell_s = 0;
-    double rapid_mm = 0, feed_mm = 0, process_on_mm = 0;
-    std::int64_t blocks = 0, moves = 0;
+    std::optional<double> energy_j = {};
+    RunTimes times = {};
+    RunDistances distances = {};
+    RunCounts counts = {};
     std::string picture_svg = {};      ///< If it was kept.
     std::vector<ReadFile> files = {};  ///< All that it read or looked for, by name.
 };

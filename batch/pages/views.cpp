@@ -52,7 +52,7 @@ Views::Views(const std::string& folder, ViewGenerator maker)
 
 Result<std::vector<std::string>> Views::make_command(const RunSummary& facts, const RunDetails& run) {
     if (!has_run(facts)) return Unexpected("the program was not run");
-    if (run.moves > kMaxMoves) return Unexpected(fmt::format("it has more than {} moves", kMaxMoves));
+    if (run.counts.moves > kMaxMoves) return Unexpected(fmt::format("it has more than {} moves", kMaxMoves));
     if (run.version != generator_.version) return Unexpected("it was run by another version of gsim");
     ViewCommand command = view_command(run_inputs(run));
     if (command.words.empty()) return Unexpected("its program is a path, which gsim run does not support");

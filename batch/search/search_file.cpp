@@ -17,7 +17,7 @@ using base::NumberRule;
 using base::TomlSection;
 
 constexpr std::array<std::string_view, 4> kSearchKeys{"variants", "first", "population", "seed"};
-constexpr std::array<std::string_view, 3> kLimitKeys{"figure", "least", "most"};
+constexpr std::array<std::string_view, 3> kLimitKeys{"metric", "min", "max"};
 constexpr std::uint64_t kMaxVariants = 10'000'000;
 
 class SearchReader {
@@ -34,6 +34,7 @@ class SearchReader {
         check_settings();
         add_options();
         if (error_.text()) return tl::unexpected(*error_.text());
+        search_.warnings = error_.warnings();
         return std::move(search_);
     }
 
@@ -52,7 +53,8 @@ class SearchReader {
         for (const auto& [key, node] : *objective) {
             const double weight = section.number(key.str(), 1, NumberRule::finite);
             if (weight == 0) section.fail(key.str(), "a weight of 0 has no effect");
-            search_.objective.push_back({std::string(key.str()), weight});
+            const std::string_view metric = base::renamed_key(section.title(), key.str()).value_or(key.str());
+            search_.objective.push_back({std::string(metric), weight});
         }
     }
 
@@ -63,17 +65,24 @@ class SearchReader {
             return fail("limit", "'limit' must be an array of tables, each under [[limit]]");
         for (const toml::node& node : *list) {
             TomlSection section(error_, *node.as_table(), "[[limit]]", kLimitKeys);
-            const std::size_t metric = section.choice("figure", 0, kMetrics);
-            if (section.require("figure") == nullptr) continue;
-            MetricLimit limit{.metric = std::string(kMetrics[metric])};
-            if (section.has("least")) limit.min = section.number("least", 0, NumberRule::finite);
-            if (section.has("most")) limit.max = section.number("most", 0, NumberRule::finite);
-            if (!limit.min && !limit.max)
-                section.fail("figure", "[[limit]] must have 'least', 'most' or both");
+            if (section.require("metric") == nullptr) continue;
+            MetricLimit limit{.metric = std::string(read_metric(section))};
+            if (section.has("min")) limit.min = section.number("min", 0, NumberRule::finite);
+            if (section.has("max")) limit.max = section.number("max", 0, NumberRule::finite);
+            if (!limit.min && !limit.max) section.fail("metric", "[[limit]] must have 'min', 'max' or both");
             if (limit.min && limit.max && *limit.min > *limit.max)
-                section.fail("most", "'most' must not be less than 'least'");
+                section.fail("max", "'max' must not be less than 'min'");
             search_.limits.push_back(std::move(limit));
         }
+    }
+
+    /// Returns the value of 'metric', which may be the name of before.
+    std::string_view read_metric(TomlSection& section) {
+        const auto name = section.find("metric")->value<std::string_view>();
+        const auto new_name = name ? base::renamed_key("[objective]", *name) : std::nullopt;
+        if (!new_name) return kMetrics[section.choice("metric", 0, kMetrics)];
+        error_.warn(section.where("metric"), base::deprecated_key_text(*name, *new_name));
+        return *new_name;
     }
 
     void read_search() {

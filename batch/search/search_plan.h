@@ -31,8 +31,9 @@ struct SearchPlan {
     std::vector<MetricLimit> limits;
     std::uint64_t variants = 200;  ///< Max number to be tried.
     std::uint64_t first = 0;  ///< Number of these spread evenly at first; 0: as many as the settings need.
-    std::uint64_t population = 0;  ///< Variants tried at once after that; 0: likewise.
+    std::uint64_t population = 0;  ///< Variants then tried at once; 0: likewise.
     std::uint64_t seed = 1;
+    std::vector<std::string> warnings = {};  ///< About the file, each as "file:line:column: message".
 };
 
 /// Reads a plan with its search part (docs/optimise.md). The error begins with its source location.

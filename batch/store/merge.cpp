@@ -12,9 +12,10 @@ namespace {
 constexpr const char* kColumns =
     "key, program, program_sha256, machine, machine_sha256, machine_name, controller, options, settings, "
     "version, "
-    "ran_at, status, cause, message, file, line, cycle_time_s, least_s, most_s, rapid_s, feed_s, dwell_s, "
+    "ran_at, status, cause, message, file, line, cycle_time_s, cycle_time_min_s, cycle_time_max_s, rapid_s, "
+    "feed_s, dwell_s, "
     "rapid_mm, "
-    "feed_mm, jet_on_mm, blocks, moves, violations, collisions, process_findings, warnings, energy_j, "
+    "feed_mm, process_on_mm, blocks, moves, violations, collisions, process_findings, warnings, energy_j, "
     "extents, "
     "findings, cpu_s, clearance_mm, deviation_mm, joint_speed_share, lower_bound_s";
 

@@ -12,7 +12,7 @@ namespace gsim::batch {
 /// Function that receives a text in parts. False: it cannot be written.
 using Sink = std::function<bool(std::string_view)>;
 
-/// Writes the rows of a query as CSV (RFC 4180), after a line with the column names.
+/// Writes a line with the column names, then the rows of a query, as CSV (RFC 4180).
 Result<void> write_csv(Database& results, std::string_view query, const Sink& sink);
 /// Does the same as JSON, one object a line. Columns of JSON (settings, options, extents, findings) are
 /// values.
@@ -24,7 +24,8 @@ inline constexpr std::string_view kAllColumnsQuery = "SELECT * FROM latest";
 inline constexpr std::string_view kTableColumnsQuery =
     "SELECT job, program, machine, machine_name, controller, options, settings, status, cause, message, "
     "file, line, "
-    "cycle_time_s, least_s, most_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, jet_on_mm, blocks, moves, "
+    "cycle_time_s, cycle_time_min_s, cycle_time_max_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, "
+    "process_on_mm, blocks, moves, "
     "violations, "
     "collisions, process_findings, warnings, energy_j, clearance_mm, deviation_mm, joint_speed_share, "
     "lower_bound_s, extents, cpu_s, reused, ran_at, version, key FROM "

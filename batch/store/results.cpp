@@ -36,17 +36,24 @@ Result<std::int64_t> query_number(Database& database, const char* query) {
     return *row ? prepared_query->integer(0) : 0;
 }
 
-/// Returns the additions of version 2.
-std::string version_2_sql() {
-    std::string sql = kVersion2Tables;
-    for (const char* metric : kVersion2Columns)
-        sql += fmt::format("ALTER TABLE run ADD COLUMN {} REAL;\n", metric);
-    return sql + fmt::format("PRAGMA user_version = {};", kSchemaVersion);
+/// Returns the statements that make tables of a version those of kSchemaVersion.
+std::string upgrade_sql(std::int64_t version) {
+    std::string sql;
+    if (version < 2) {
+        sql += kVersion2Tables;
+        for (const char* metric : kVersion2Columns)
+            sql += fmt::format("ALTER TABLE run ADD COLUMN {} REAL;\n", metric);
+    }
+    return sql + kVersion3Names + fmt::format("PRAGMA user_version = {};", kSchemaVersion);
+}
+
+bool is_upgradable(std::int64_t version) {
+    return version >= 1 && version < kSchemaVersion;
 }
 
 Result<void> create_tables(Database& database) {
     return database.execute(fmt::format("BEGIN; {} PRAGMA application_id = {}; {} COMMIT;", kSchema,
-                                        kApplicationId, version_2_sql()));
+                                        kApplicationId, upgrade_sql(1)));
 }
 
 /// A new file gets its tables, an existing one must have them.
@@ -58,18 +65,19 @@ Result<void> check_or_create_tables(Database& database) {
     const auto version = query_number(database, "PRAGMA user_version");
     if (!application || *application != kApplicationId)
         return Unexpected(fmt::format("'{}' is not a results file", database.file()));
-    if (version && *version == 1) return database.execute(fmt::format("BEGIN; {} COMMIT;", version_2_sql()));
+    if (version && is_upgradable(*version))
+        return database.execute(fmt::format("BEGIN; {} COMMIT;", upgrade_sql(*version)));
     if (!version || *version != kSchemaVersion)
         return Unexpected(
             fmt::format("'{}' is of another version of this program; use a new file", database.file()));
     return {};
 }
 
-/// Returns true if a database has the identification of gsim, and this version.
-bool has_version(Database& database, std::int64_t version) {
+/// Returns true if a database has the identification of gsim, and an earlier version of its tables.
+bool has_earlier_version(Database& database) {
     const auto application = query_number(database, "PRAGMA application_id");
     return application && *application == kApplicationId &&
-           query_number(database, "PRAGMA user_version").value_or(0) == version;
+           is_upgradable(query_number(database, "PRAGMA user_version").value_or(0));
 }
 
 /// Returns the number of a statement that gives one row with one number.
@@ -91,7 +99,7 @@ bool may_succeed_on_retry(std::string_view status, std::string_view message) {
 
 void upgrade_schema(const std::string& file) {
     auto before = Database::open(file, true);
-    if (!before || !has_version(*before, 1)) return;
+    if (!before || !has_earlier_version(*before)) return;
     if (auto database = Database::open(file)) static_cast<void>(check_or_create_tables(*database));
 }
 
@@ -126,7 +134,7 @@ Result<Results> Results::open(const std::string& file, Journal journal) {
     auto statements = std::make_unique<Statements>(Statements{
         prepared(
             "INSERT INTO batch (token, plan, version, began_at, jobs) VALUES (?, ?, ?, ?, ?) RETURNING id"),
-        prepared("UPDATE batch SET ended_at = ?, whole = ? WHERE id = ?"),
+        prepared("UPDATE batch SET ended_at = ?, complete = ? WHERE id = ?"),
         prepared("SELECT run.id, status, report.run IS NOT NULL, cause, message, picture.run IS NOT NULL "
                  "FROM run LEFT "
                  "JOIN report ON report.run = run.id LEFT JOIN picture ON picture.run = run.id WHERE key = ? "
@@ -136,7 +144,8 @@ Result<Results> Results::open(const std::string& file, Journal journal) {
             "INSERT INTO run (key, program, program_sha256, machine, machine_sha256, machine_name, "
             "controller, options, settings, version, ran_at, status, cause, message, file, line, "
             "cycle_time_s, "
-            "least_s, most_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, jet_on_mm, blocks, moves, "
+            "cycle_time_min_s, cycle_time_max_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, process_on_mm, "
+            "blocks, moves, "
             "violations, collisions, process_findings, warnings, energy_j, extents, findings, cpu_s, "
             "clearance_mm, deviation_mm, joint_speed_share, lower_bound_s) VALUES "
             "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "

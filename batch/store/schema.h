@@ -5,7 +5,7 @@
 namespace gsim::batch {
 
 /// Version of the tables below; a file has it as PRAGMA user_version.
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
 /// "gsim" as PRAGMA application_id.
 inline constexpr int kApplicationId = 0x6773696d;
 
@@ -28,6 +28,14 @@ CREATE VIEW evaluations AS
 /// Columns of `run` that version 2 adds.
 inline constexpr std::array kVersion2Columns{"clearance_mm", "deviation_mm", "joint_speed_share",
                                              "lower_bound_s"};
+
+/// Columns by the names of version 3; views follow.
+inline constexpr const char* kVersion3Names = R"(
+ALTER TABLE run RENAME COLUMN least_s TO cycle_time_min_s;
+ALTER TABLE run RENAME COLUMN most_s TO cycle_time_max_s;
+ALTER TABLE run RENAME COLUMN jet_on_mm TO process_on_mm;
+ALTER TABLE batch RENAME COLUMN whole TO complete;
+)";
 
 /// Tables and views of version 1 (docs/batch.md).
 inline constexpr const char* kSchema = R"(

@@ -89,14 +89,14 @@ void set_metrics(RunRow& row, const engine::Report& report) {
         row.times.min_s = report.cycle_time_95->min_s;
         row.times.max_s = report.cycle_time_95->max_s;
     }
-    row.times.rapid_s = report.rapid_s;
-    row.times.feed_s = report.feed_s;
-    row.times.dwell_s = report.dwell_s;
-    row.distances.rapid_mm = report.rapid_mm;
-    row.distances.feed_mm = report.feed_mm;
-    row.distances.process_on_mm = report.process_on_mm;
-    row.counts.blocks = report.blocks;
-    row.counts.moves = report.moves;
+    row.times.rapid_s = report.times.rapid_s;
+    row.times.feed_s = report.times.feed_s;
+    row.times.dwell_s = report.times.dwell_s;
+    row.distances.rapid_mm = report.distances.rapid_mm;
+    row.distances.feed_mm = report.distances.feed_mm;
+    row.distances.process_on_mm = report.distances.process_on_mm;
+    row.counts.blocks = report.counts.blocks;
+    row.counts.moves = report.counts.moves;
     row.counts.violations = report.violation_count;
     row.counts.collisions = report.collisions.size();
     row.counts.process_findings = report.process_findings;

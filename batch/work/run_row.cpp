@@ -35,7 +35,7 @@ void for_each_row_field(Row& row, const Visitor& on_field) {
     on_field("dwell_s", row.times.dwell_s);
     on_field("rapid_mm", row.distances.rapid_mm);
     on_field("feed_mm", row.distances.feed_mm);
-    on_field("jet_on_mm", row.distances.process_on_mm);
+    on_field("process_on_mm", row.distances.process_on_mm);
     on_field("blocks", row.counts.blocks);
     on_field("moves", row.counts.moves);
     on_field("violations", row.counts.violations);
@@ -47,14 +47,14 @@ void for_each_row_field(Row& row, const Visitor& on_field) {
     on_field("cpu_s", row.cpu_s);
     on_field("report", row.documents.report);
     on_field("picture", row.documents.picture);
-    on_field("picture_fault", row.documents.picture_error);
+    on_field("picture_error", row.documents.picture_error);
 }
 
 /// Does the same for those that may be missing.
 template <typename Row, typename Visitor>
 void for_each_optional(Row& row, const Visitor& on_field) {
-    on_field("least_s", row.times.min_s);
-    on_field("most_s", row.times.max_s);
+    on_field("cycle_time_min_s", row.times.min_s);
+    on_field("cycle_time_max_s", row.times.max_s);
     on_field("energy_j", row.energy_j);
     on_field("clearance_mm", row.clearance_mm);
     on_field("deviation_mm", row.deviation_mm);

@@ -52,7 +52,7 @@ struct RunCounts {
 };
 
 /// Documents of a run, if its job wants them.
-struct RunDocuments {
+struct RunReports {
     std::string report = {};         ///< JSON.
     std::string picture = {};        ///< SVG.
     std::string picture_error = {};  ///< Message why no picture exists.
@@ -77,7 +77,7 @@ struct RunRow {
     std::string findings = {};                     ///< JSON: the diagnostics of the report.
     double cpu_s = 0;
     std::vector<ReadFile> files = {};
-    RunDocuments documents = {};
+    RunReports documents = {};
 };
 
 /// Returns the row as a line of JSON, without a line feed.

@@ -127,22 +127,23 @@ std::string geometry_json(const GeometryFit& fit, std::span<const Squareness> sq
     json["noise_um"] = kMicrometresPerMm * fit.noise.mm;
     json["noise_arcsec"] = kArcsecPerDeg * fit.noise.deg;
     json["noise_is_found"] = fit.noise_is_estimated;
-    json["left_over_noise"] = fit.residual_noise_ratio;
+    json["residual_noise_ratio"] = fit.residual_noise_ratio;
     Json& found = json["found"] = Json::array();
     for (const FittedDeviation& one : fit.found)
-        found.push_back(
-            {{"name", one.deviation.name}, {"value", one.value}, {"spread", one.standard_deviation}});
-    Json& fixed = json["held"] = Json::array();
-    for (const FixedDeviation& one : fit.fixed) fixed.push_back({{"name", one.name}, {"why", one.reason}});
+        found.push_back({{"name", one.deviation.name},
+                         {"value", one.value},
+                         {"standard_deviation", one.standard_deviation}});
+    Json& fixed = json["fixed"] = Json::array();
+    for (const FixedDeviation& one : fit.fixed) fixed.push_back({{"name", one.name}, {"reason", one.reason}});
     Json& square = json["squareness"] = Json::array();
     for (const Squareness& one : squareness)
         square.push_back({{"axes", std::string{one.first, one.second}},
                           {"value_um_m", one.value_um_m},
-                          {"spread_um_m", one.standard_deviation_um_m}});
+                          {"standard_deviation_um_m", one.standard_deviation_um_m}});
     Json& rows = json["covariance"] = Json::array();
     for (Eigen::Index i = 0; i < fit.covariance.rows(); ++i) rows.push_back(numbers(fit.covariance.row(i)));
     json["singular_values"] = numbers(fit.singular_values);
-    Json& tcps = json["tips"] = Json::array();
+    Json& tcps = json["tcps"] = Json::array();
     for (std::size_t i = 0; i < fit.after.size(); ++i) {
         tcps.push_back({{"before_mm", numbers(fit.before[i].mm)},
                         {"after_mm", numbers(fit.after[i].mm)},

@@ -186,7 +186,7 @@ struct FitEnd {
 
 /// Returns true if times grow in proportion to the parameter.
 bool is_wait(const Parameter& parameter) {
-    return parameter.parameter_id.of == "times" || parameter.parameter_id.key == "rest_s" ||
+    return parameter.parameter_id.of == "times" || parameter.parameter_id.key == "standstill_s" ||
            parameter.parameter_id.key == "settle_s";
 }
 

@@ -112,7 +112,7 @@ std::string fit_json(const Fit& fit, std::span<const RecordedRun> runs,
         Json& entry = parameters.emplace_back(
             Json{{"name", machine::parameter_name(parameter.parameter_id)}, {"value", parameter.value}});
         entry["identified"] = parameter.identified;
-        entry["spread_percent"] =
+        entry["standard_deviation_percent"] =
             parameter.identified ? Json(100 * parameter.standard_deviation) : Json(nullptr);
     }
     Json& rows = json["log_covariance"] = Json::array();
@@ -131,9 +131,9 @@ std::string fit_json(const Fit& fit, std::span<const RecordedRun> runs,
         entry["fitted_percent"] = score.error_text.empty() ? Json(score.fitted_percent) : Json(nullptr);
         entry["predicted_percent"] = score.is_predicted ? Json(score.mean_percent) : Json(nullptr);
         entry["predicted_largest_percent"] = score.is_predicted ? Json(score.largest_percent) : Json(nullptr);
-        if (!score.error_text.empty()) entry["refused"] = score.error_text;
+        if (!score.error_text.empty()) entry["error"] = score.error_text;
     }
-    json["chosen"] = selection->scores[selection->best].name;
+    json["selected"] = selection->scores[selection->best].name;
     return json.dump(2) + "\n";
 }
 

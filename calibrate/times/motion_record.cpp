@@ -12,7 +12,7 @@
 #include "base/text/trimmed.h"
 #include "calibrate/text/halsampler.h"
 #include "calibrate/text/list.h"
-#include "calibrate/times/record_clock.h"
+#include "calibrate/times/log_timestamp.h"
 
 namespace gsim::calibrate {
 
@@ -47,7 +47,7 @@ class SampleList {
     std::vector<MotionSample> samples_;
 };
 
-/// Calls `look` with the number of each line that is not empty, and the line; stops if it returns false.
+/// Calls `on_line` with the number of each line that is not empty, and the line; stops if it returns false.
 template <typename Visitor>
 bool for_each_line(std::string_view text, const Visitor& on_line) {
     for (int number = 1; !text.empty(); ++number) {

@@ -130,7 +130,7 @@ std::vector<Parameter> free_parameters(const Machine& machine, const FreeParamet
     }
     if (planner.waits_in_position) parameters.add_wait("settle_s");
     if (planner.counts_servo_periods) parameters.add_scaled({"controller", "servo_period_s"});
-    parameters.add_wait("rest_s");
+    parameters.add_wait("standstill_s");
     for (const std::string& key : machine::nonzero_time_keys(machine.times)) parameters.add_word(key);
     return parameters.release_parameters();
 }

@@ -118,7 +118,7 @@ std::optional<Plane> make_plane(const machine::Machine& machine) {
 
 std::string controller_moves(const FittedParameter& parameter, const Plane& plane) {
     if (parameter.parameter_id.key == "centripetal_share") return circle_moves(plane);
-    if (parameter.parameter_id.key == "settle_s" || parameter.parameter_id.key == "rest_s")
+    if (parameter.parameter_id.key == "settle_s" || parameter.parameter_id.key == "standstill_s")
         return stop_moves(plane);
     return zigzag_moves(plane);
 }

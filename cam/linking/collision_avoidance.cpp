@@ -192,22 +192,22 @@ class RapidRerouter {
         for (const Node& node : run.nodes) {
             if (!node.is_free || !space_.obstacle_at(node.axes, clearance_mm)) kept.push_back(&node);
         }
-        std::vector<AxisPath> ways = paths_via(run.from, kept, clearance_mm);
-        if (ways.empty()) {
+        std::vector<AxisPath> paths = paths_via(run.from, kept, clearance_mm);
+        if (paths.empty()) {
             kept = {&run.nodes.back()};
             if (std::any_of(run.nodes.begin(), std::prev(run.nodes.end()),
                             [](const Node& node) { return !node.is_free; }))
                 return false;
-            ways = paths_via(run.from, kept, clearance_mm);
+            paths = paths_via(run.from, kept, clearance_mm);
         }
-        if (ways.empty()) return false;
+        if (paths.empty()) return false;
         for (const Node& node : run.nodes) {
             Edit& edit = edits_[target_key(steps[node.step].where)];
             edit.is_removed = std::find(kept.begin(), kept.end(), &node) == kept.end();
         }
         for (std::size_t i = 0; i < kept.size(); ++i) {
-            ways[i].pop_back();
-            edits_[target_key(steps[kept[i]->step].where)].before = std::move(ways[i]);
+            paths[i].pop_back();
+            edits_[target_key(steps[kept[i]->step].where)].before = std::move(paths[i]);
         }
         return true;
     }
@@ -215,15 +215,15 @@ class RapidRerouter {
     // Returns no paths if one of them is not found.
     std::vector<AxisPath> paths_via(const AxisValues& from, const std::vector<const Node*>& nodes,
                                     double clearance_mm) const {
-        std::vector<AxisPath> ways;
+        std::vector<AxisPath> paths;
         const AxisValues* at = &from;
         for (const Node* node : nodes) {
             auto path = space_.find(*at, node->axes, clearance_mm);
             if (!path) return {};
-            ways.push_back(*std::move(path));
+            paths.push_back(*std::move(path));
             at = &node->axes;
         }
-        return ways;
+        return paths;
     }
 
     Point to_point(const AxisValues& axes) const {
@@ -301,7 +301,7 @@ tl::expected<LinkingResult, TargetError> avoid_collisions(path::Program& program
         converged = maker.run(*steps);
         linking.errors = maker.release_errors();
     }
-    linking.ways = maker.runs();
+    linking.linking_paths = maker.runs();
     linking.changed = maker.changed();
     if (!linking.errors.empty()) return linking;
     const auto steps = axis_steps(program, space.machine(), space.origin());

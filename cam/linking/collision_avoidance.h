@@ -10,8 +10,8 @@ namespace gsim::linking {
 
 /// The result for the paths between cuts.
 struct LinkingResult {
-    std::size_t ways = 0;     ///< From one cut, or the start, to the next cut, or the end.
-    std::size_t changed = 0;  ///< Paths that were rerouted.
+    std::size_t linking_paths = 0;  ///< From one cut, or the start, to the next cut, or the end.
+    std::size_t changed = 0;        ///< Paths that were rerouted.
     /// Messages, at most one for each path: cuts that collide with bodies of the cell, and paths that were
     /// not found.
     std::vector<path::TargetError> errors = {};

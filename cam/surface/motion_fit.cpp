@@ -186,7 +186,7 @@ class MoveFitter {
         found.end_mm = tips_[to];
         found.axis = points_[to].axis;
         found.tcp_mm = distance_mm_[to] - distance_mm_[from];
-        found.is_turning = (points_[to].axis - points_[from].axis).norm() > kAxisTolerance;
+        found.axis_changes = (points_[to].axis - points_[from].axis).norm() > kAxisTolerance;
         found.corner_rad = points_[from].corner_rad;
         found.depth_mm = points_[from].depth_mm;
         for (std::size_t i = from; i < to; ++i)

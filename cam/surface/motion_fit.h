@@ -18,7 +18,7 @@ struct JetMove {
     double tcp_mm = 0;             ///< Path length of the TCP.
     double depth_mm = 0;           ///< Max depth that the jet cuts.
     double corner_rad = 0;         ///< Turn of a near corner, see JetPoint.
-    bool is_turning = false;       ///< The axis at its end is another one than at its begin.
+    bool axis_changes = false;     ///< The axis at its end is another one than at its begin.
 };
 
 /// Max deviation of moves from the points that they replace.

@@ -131,7 +131,7 @@ class CutWriter {
     void add(const JetMove& move) {
         path::Point& point = add_point(move.via_mm ? MotionType::circular : MotionType::linear, move.end_mm);
         if (move.via_mm) point.arc = path::ViaPoint{to_work_frame(*move.via_mm)};
-        if (move.is_turning) point.orientation = tool_axis(move.axis);
+        if (move.axis_changes) point.orientation = tool_axis(move.axis);
         if (move.tcp_mm < kNoTravel_mm) {
             point.feed_deg_min = options_.turn_feed_deg_min;
             return;

@@ -158,7 +158,7 @@ Result<CuttingPlan> plan_cutting(const Materials& materials, const CuttingReques
     plan.material = (*material)->name;
     if (request.dynamic_pierce && !request.pierce_s && !materials.pierce.dynamic_pierce_share) {
         return Unexpected(
-            "the materials file has no 'moving_share' in [pierce]: the time of a dynamic pierce must be "
+            "the materials file has no 'dynamic_share' in [pierce]: the time of a dynamic pierce must be "
             "given");
     }
     plan.lag = materials.lag;
@@ -178,6 +178,7 @@ Result<CuttingPlan> plan_cutting(const Materials& materials, const CuttingReques
     resolve_speeds(resolver, request, plan);
     resolve_shape(resolver, materials, request, plan);
     plan.values = resolver.release();
+    plan.warnings = materials.warnings;
     add_warnings(plan);
     return plan;
 }

@@ -75,6 +75,7 @@ struct Materials {
     PierceRule pierce;
     PriceRule prices;
     std::vector<Material> materials;
+    std::vector<std::string> warnings;  ///< About the file, each as "file:line:column: message".
 
     bool operator==(const Materials&) const = default;
 };

@@ -20,9 +20,9 @@ constexpr std::array kFileKeys{"jet"sv, "lag"sv, "kerf"sv, "pierce"sv, "prices"s
 constexpr std::array kJetKeys{"pressure_mpa"sv,    "orifice_mm"sv,        "mixing_tube_mm"sv,
                               "abrasive_g_min"sv,  "abrasive_factor"sv,   "discharge"sv,
                               "tube_to_orifice"sv, "abrasive_to_water"sv, "quality"sv};
-constexpr std::array kLagKeys{"lag_to_thickness"sv, "exponent"sv, "contour_error_mm"sv, "least_feed_share"sv};
+constexpr std::array kLagKeys{"lag_to_thickness"sv, "exponent"sv, "contour_error_mm"sv, "min_feed_share"sv};
 constexpr std::array kKerfKeys{"width_to_tube"sv, "taper_mm"sv};
-constexpr std::array kPierceKeys{"factor"sv, "least_s"sv, "moving_share"sv};
+constexpr std::array kPierceKeys{"factor"sv, "min_s"sv, "dynamic_share"sv};
 constexpr std::array kPriceKeys{
     "currency"sv,       "machine_per_h"sv, "water_per_m3"sv,   "abrasive_per_kg"sv,  "recycled_per_kg"sv,
     "recycled_share"sv, "orifice_each"sv,  "orifice_life_h"sv, "mixing_tube_each"sv, "mixing_tube_life_h"sv,
@@ -40,12 +40,12 @@ constexpr ValueRange kAbrasiveRatio{"abrasive_to_water", 0.001, 1};
 constexpr ValueRange kLagRatio{"lag_to_thickness", 0.001, 10};
 constexpr ValueRange kLagExponent{"exponent", 0.1, 10};
 constexpr ValueRange kContourError{"contour_error_mm", 1e-4, 100};
-constexpr ValueRange kMinFeed{"least_feed_share", 1e-4, 1};
+constexpr ValueRange kMinFeed{"min_feed_share", 1e-4, 1};
 constexpr ValueRange kWidthRatio{"width_to_tube", 0.1, 10};
 constexpr ValueRange kTaper{"taper_mm", 0, 100};
 constexpr ValueRange kPierceFactor{"factor", 0.001, 1e4};
-constexpr ValueRange kMinPierce{"least_s", 0, 1e4};
-constexpr ValueRange kDynamicPierce{"moving_share", 0.01, 1};
+constexpr ValueRange kMinPierce{"min_s", 0, 1e4};
+constexpr ValueRange kDynamicPierce{"dynamic_share", 0.01, 1};
 constexpr ValueRange kRecycled{"recycled_share", 0, 0.99};
 constexpr double kMaxPrice = 1e6;
 constexpr double kMinLife_h = 0.01;
@@ -259,6 +259,7 @@ Result<Materials> read_materials(std::string_view toml_text, std::string_view fi
     const toml::table root = base::parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
     Materials materials = read_tables(error, root);
+    materials.warnings = error.warnings();
     if (error.text()) return tl::unexpected(*error.text());
     return materials;
 }

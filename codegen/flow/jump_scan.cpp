@@ -17,7 +17,8 @@ namespace {
 /// Targets beyond Lua's label limit are not collected: the second reading reports the program.
 constexpr std::size_t kMaxTargets = 40000;
 
-/// Finder of the letters GOTO in any case, or the digits 99 after an M, in a text that arrives in parts.
+/// Finder of the letters GOTO in any case, or of the digits 99 that follow an M, in a text that arrives in
+/// parts.
 class JumpFinder {
   public:
     /// Returns true once one of them has come.
@@ -131,16 +132,16 @@ class JumpCollector : public grammar::BlockSink {
 class FirstBlock : public grammar::BlockSink {
   public:
     void on_block(const grammar::Block& block) override {
-        begins_part_ =
+        begins_program_or_sub_ =
             block.has_program || (block.kind == grammar::BlockKind::flow && block.flow == grammar::Flow::sub);
         done_ = !grammar::is_blank(block);
     }
     bool done() const { return done_; }
-    bool begins_part() const { return begins_part_; }
+    bool begins_program_or_sub() const { return begins_program_or_sub_; }
 
   private:
     bool done_ = false;
-    bool begins_part_ = false;
+    bool begins_program_or_sub_ = false;
 };
 
 }  // namespace
@@ -161,7 +162,7 @@ FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, const g
         lexer.extent().skip_leader(scan.leader_lines);
         FirstBlock first;
         grammar::Parser(lexer, diagnostics, first).run_until([&] { return first.done(); });
-        scan.starts_with_part = first.begins_part();
+        scan.starts_with_part = first.begins_program_or_sub();
         source.rewind();
     }
     const bool return_alias = aliases.has_alias_of('M', kReturnCode / 10);

@@ -75,7 +75,7 @@ void for_each_triangle(const TriangleMesh& mesh, const Visitor& on_triangle) {
     }
 }
 
-/// Returns a position at which the surface is open: the start of an edge that no triangle has in the other
+/// Returns a position where the surface is open: the start of an edge that no triangle has in the other
 /// direction.
 std::optional<Vector3d> find_open_edge(const TriangleMesh& mesh) {
     using Point = std::array<double, 3>;
@@ -122,10 +122,10 @@ RigidBody integrate_rigid_body(const TriangleMesh& mesh, double density) {
     }
     if (!(volume > 0)) return {};
     const Vector3d centre = first / volume;
-    const Matrix3d standard_deviation = density * (second - volume * centre * centre.transpose());
+    const Matrix3d second_moments = density * (second - volume * centre * centre.transpose());
     return {.mass_kg = density * volume,
             .centre_m = kMetresPerMm * middle + centre,
-            .inertia_kg_m2 = standard_deviation.trace() * Matrix3d::Identity() - standard_deviation};
+            .inertia_kg_m2 = second_moments.trace() * Matrix3d::Identity() - second_moments};
 }
 
 RigidBodyResult make(const machine::MeshShape& shape, double density, const MeshFiles& files) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/diagnostic.h"
 #include "engine/gsim.h"
 #include "engine/run.h"
 #include "engine/translation.h"

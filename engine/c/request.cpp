@@ -45,14 +45,14 @@ constexpr NumberKey kNumberKeys[] = {
     {"steps", 0, kMaxCount, [](Request& r, double v) { r.limits.steps = static_cast<std::uint64_t>(v); }},
     {"memory_bytes", 1 << 24, kMaxCount,
      [](Request& r, double v) { r.limits.memory_bytes = static_cast<std::uint64_t>(v); }},
-    {"passes", 1, 1e6, [](Request& r, double v) { r.passes = static_cast<std::uint64_t>(v); }},
+    {"passes", 1, 1e6, [](Request& r, double v) { r.execution.passes = static_cast<std::uint64_t>(v); }},
     {"feed_override_percent", 0, 1e6, [](Request& r, double v) { r.overrides.feed_percent = v; }},
     {"rapid_override_percent", 0, 1e6, [](Request& r, double v) { r.overrides.rapid_percent = v; }},
     {"spindle_override_percent", 0, 1e6, [](Request& r, double v) { r.overrides.spindle_percent = v; }},
-    {"stop_at_first", 0, 1, [](Request& r, double v) { r.stop_at_first = v != 0; }},
+    {"stop_at_first", 0, 1, [](Request& r, double v) { r.execution.stop_at_first = v != 0; }},
     {"collisions", 0, 1, [](Request& r, double v) { r.collisions = v != 0; }},
-    {"block_delete", 0, 1, [](Request& r, double v) { r.block_delete = v != 0; }},
-    {"optional_stop", 0, 1, [](Request& r, double v) { r.optional_stop = v != 0; }},
+    {"block_delete", 0, 1, [](Request& r, double v) { r.execution.block_delete = v != 0; }},
+    {"optional_stop", 0, 1, [](Request& r, double v) { r.execution.optional_stop = v != 0; }},
     {"explain", 0, 1, [](Request& r, double v) { r.explain = v != 0; }},
 };
 

@@ -63,11 +63,10 @@ class TreeBuilder {
         Vector3d sum = Vector3d::Zero();
         for_each_corner(part, [&](const Vector3d& corner) { sum += corner; });
         const Vector3d mean = sum / static_cast<double>(3 * part.size());
-        Matrix3d standard_deviation = Matrix3d::Zero();
-        for_each_corner(part, [&](const Vector3d& corner) {
-            standard_deviation += (corner - mean) * (corner - mean).transpose();
-        });
-        Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(standard_deviation).eigenvectors();
+        Matrix3d scatter = Matrix3d::Zero();
+        for_each_corner(
+            part, [&](const Vector3d& corner) { scatter += (corner - mean) * (corner - mean).transpose(); });
+        Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter).eigenvectors();
         if (!axes.allFinite()) return Matrix3d::Identity();  // from values with infinite or NaN squares
         if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
         return axes;

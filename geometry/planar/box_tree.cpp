@@ -6,8 +6,8 @@ namespace gsim::geometry {
 
 namespace {
 
-// Returns the bits of x with a gap after each.
-std::uint64_t standard_deviation(std::uint64_t x) {
+// Returns the bits of x spread apart, with a zero bit between neighbours.
+std::uint64_t interleave_zeros(std::uint64_t x) {
     x = (x | x << 16) & 0x0000ffff0000ffffULL;
     x = (x | x << 8) & 0x00ff00ff00ff00ffULL;
     x = (x | x << 4) & 0x0f0f0f0f0f0f0f0fULL;
@@ -24,8 +24,8 @@ std::uint64_t cell(double value, double low, double high) {
 // Returns the position of the middle of a box on the Z-curve through `all`.
 std::uint64_t morton_code(const Box& box, const Box& all) {
     const Point middle = 0.5 * (box.low + box.high);
-    return standard_deviation(cell(middle.x, all.low.x, all.high.x)) |
-           standard_deviation(cell(middle.y, all.low.y, all.high.y)) << 1;
+    return interleave_zeros(cell(middle.x, all.low.x, all.high.x)) |
+           interleave_zeros(cell(middle.y, all.low.y, all.high.y)) << 1;
 }
 
 }  // namespace

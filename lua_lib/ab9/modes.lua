@@ -51,7 +51,7 @@ local MIN_RADIUS_MM = 1e-3
 
 local limit_rpm = math.huge
 local surface_mm_min   -- nil: G97
-local is_constant_surface = false
+local is_constant_surface_speed = false
 
 local function turn(rpm) spindle.set_speed(math.min(rpm, limit_rpm)) end
 
@@ -70,8 +70,8 @@ local function adapt(target)
 end
 
 local function set_constant_surface_speed(on)
-  if on == is_constant_surface then return end
-  is_constant_surface = on
+  if on == is_constant_surface_speed then return end
+  is_constant_surface_speed = on
   if not on then surface_mm_min = nil end
   path.before_feed_moves(on and adapt or nil)
 end
@@ -93,7 +93,7 @@ end
 word("S", function(value)
   if not given(value, "S") then return end
   local before = core.spindle_rpm()
-  if is_constant_surface then
+  if is_constant_surface_speed then
     surface_mm_min = speed(value, "S") * (core.unit_mm() == 1 and MM_IN_M or MM_IN_FOOT)
   else
     turn(speed(value, "S"))
@@ -110,7 +110,7 @@ word("G50", function(words)
   end
   if type(words.s) ~= "number" then alarm("script", "S of G50 is not a number") end
   limit_rpm = speed(words.s, "S of G50")
-  if not is_constant_surface then turn(core.spindle_rpm()) end
+  if not is_constant_surface_speed then turn(core.spindle_rpm()) end
 end)
 
 word("M3", function() spindle.turn("cw") end)

@@ -36,7 +36,7 @@ end
 
 -- Moves straight to machine coordinates, at the active speed.
 function moves.to(target)
-  state.check_extruder(target)
+  state.drop_missing_extruder(target)
   if state.motors_off then check_motors(target) end
   if next(target) ~= nil then path.line(target, state.core_feed()) end
 end

@@ -26,7 +26,7 @@ function state.position(letter)
 end
 
 -- Removes E from a target if the machine has no extruder. E may be in the target, but cannot move.
-function state.check_extruder(target)
+function state.drop_missing_extruder(target)
   if target.e == nil or has.e then return end
   if target.e ~= 0 then alarm("axis", "E moves, but this machine has no extruder: no axis E") end
   target.e = nil

@@ -17,15 +17,24 @@ using base::NumberRule;
 using base::TomlSection;
 using base::TomlWriter;
 
-constexpr std::array<std::string_view, 2> kCalibrationKeys{"runs", "left_percent"};
+constexpr std::array<std::string_view, 2> kCalibrationKeys{"runs", "residual_percent"};
 constexpr std::array<std::string_view, 3> kCalibratedKeys{"of", "key", "covariance_percent2"};
+
+/// Returns the key of a parameter, which may also be given by its name of before.
+std::string read_key(FirstError& error, TomlSection& section, std::string_view of) {
+    std::string key = section.text("key");
+    const auto new_name = base::renamed_key(fmt::format("[{}]", of), key);
+    if (!new_name) return key;
+    error.warn(section.where("key"), base::deprecated_key_text(key, *new_name));
+    return std::string(*new_name);
+}
 
 void read_calibrated(FirstError& error, const toml::table& table, std::size_t count, const Machine& machine,
                      Calibration& calibration) {
     TomlSection section(error, table, "[[calibrated]]", kCalibratedKeys);
     CalibratedParameter parameter_id;
     parameter_id.of = section.text("of");
-    parameter_id.key = section.text("key");
+    parameter_id.key = read_key(error, section, parameter_id.of);
     section.require("covariance_percent2");
     const auto row = read_numbers(section, table, "covariance_percent2",
                                   "a list, one number for each [[calibrated]]", {count});
@@ -65,7 +74,8 @@ void read_calibration(FirstError& error, TomlSection& file, Machine& machine) {
     }
     Calibration calibration;
     calibration.runs = static_cast<int>(TomlSection(*section).number("runs", 1, NumberRule::count));
-    calibration.residual_percent = TomlSection(*section).number("left_percent", 0, NumberRule::not_negative);
+    calibration.residual_percent =
+        TomlSection(*section).number("residual_percent", 0, NumberRule::not_negative);
     const auto parameters =
         file.has("calibrated") ? file.tables("calibrated") : std::vector<const toml::table*>();
     for (const toml::table* parameter_id : parameters)
@@ -81,7 +91,7 @@ void read_calibration(FirstError& error, TomlSection& file, Machine& machine) {
 void print_calibration(TomlWriter& out, const Calibration& calibration) {
     out.section("[calibration]");
     out.line("runs", std::to_string(calibration.runs));
-    out.number("left_percent", calibration.residual_percent);
+    out.number("residual_percent", calibration.residual_percent);
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         out.section("[[calibrated]]");
         out.line("of", base::toml_string(calibration.parameters[i].of));
@@ -96,7 +106,7 @@ std::vector<TableSchema> calibration_schema() {
          .meaning = "fit of parameters to recorded runs, and its quality",
          .keys = {number_key("runs", {.min = 1, .max = 100000, .integer_only = true}, "1",
                              "number of runs that were used for the fit"),
-                  number_key("left_percent", kNotNegative, "0.0",
+                  number_key("residual_percent", kNotNegative, "0.0",
                              "remaining error of the run times after the fit, as a standard deviation")}},
         {.at = {"calibrated"},
          .many = true,

@@ -50,13 +50,15 @@ rrs::ControllerRules read_custom_file(TomlSection& section, const std::string& m
         section.fail(kModelKey, text.error().message);
         return {};
     }
-    auto rules = read_controller(*text, path.string(), model);
+    FileMessages messages;
+    auto rules = read_controller(*text, path.string(), model, &messages);
+    for (std::string& warning : messages.warnings) section.add_file_warning(std::move(warning));
     if (rules) return *std::move(rules);
     section.add_file_error(std::move(rules).error().message);
     return {};
 }
 
-// Reads the rules that the section's other keys change. Without `own` custom files are not available.
+// Reads the rules that the section's other keys change. Without `local_files` custom files are not available.
 rrs::ControllerRules read_model(TomlSection& section, const CustomFiles* local_files) {
     if (!section.has(kModelKey)) return {};
     const std::string model = section.text(kModelKey);
@@ -74,7 +76,7 @@ rrs::ControllerRules read_model(TomlSection& section, const CustomFiles* local_f
 }  // namespace
 
 Result<rrs::ControllerRules> read_controller(std::string_view toml_text, std::string_view file_name,
-                                             std::string model) {
+                                             std::string model, FileMessages* messages) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     TomlSection file(error, root, "a controller file", kControllerFileKeys);
@@ -86,6 +88,7 @@ Result<rrs::ControllerRules> read_controller(std::string_view toml_text, std::st
         rules.model = std::move(model);
         read_controller_keys(section, rules);
     }
+    if (messages != nullptr) *messages = {error.all(), error.warnings()};
     if (error.text()) return tl::unexpected(*error.text());
     return rules;
 }

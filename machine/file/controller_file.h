@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/os/files.h"
 #include "controller/services/controller_rules.h"
+#include "machine/file/file_messages.h"
 
 namespace gsim::base {
 class TomlSection;
@@ -19,9 +20,9 @@ namespace gsim::machine {
 
 /// Reads a controller file (docs/machine-file.md) as strictly as machine files. The error is
 /// "file:line:column: message"; `file_name` is only for that. `model` is the name of the rules if the file
-/// gives none.
+/// gives none. `messages`, if given, receives all errors and warnings.
 Result<rrs::ControllerRules> read_controller(std::string_view toml_text, std::string_view file_name,
-                                             std::string model);
+                                             std::string model, FileMessages* messages = nullptr);
 
 /// Returns the names of the controllers that are compiled in, those of samples/controllers.
 std::vector<std::string_view> built_in_controllers();

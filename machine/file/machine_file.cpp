@@ -285,19 +285,19 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
 }  // namespace
 
 Result<Machine> read_machine(std::string_view toml_text, std::string_view file_name, const os::Files& files,
-                             std::vector<std::string>* errors) {
+                             FileMessages* messages) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path(), files);
-    if (errors != nullptr) *errors = error.all();
+    if (messages != nullptr) *messages = {error.all(), error.warnings()};
     if (error.text()) return tl::unexpected(*error.text());
     return machine;
 }
 
 Result<Machine> load_machine(const std::filesystem::path& path, os::NameSource name_source,
-                             const os::Files& files) {
+                             const os::Files& files, FileMessages* messages) {
     return files.read_text(path, name_source).and_then([&](const std::string& text) {
-        return read_machine(text, path.string(), files);
+        return read_machine(text, path.string(), files, messages);
     });
 }
 

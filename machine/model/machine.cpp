@@ -87,7 +87,7 @@ KinematicsResult make(const Machine& machine) {
     return std::make_shared<kinematics::ChainKinematics>(chain(machine));
 }
 
-// Returns the smallest angle that is not below `least` and differs from `angle` by full turns.
+// Returns the smallest angle that is not below `min` and differs from `angle` by full turns.
 double raise_by_full_turns(double angle, double min) {
     return angle + kTurn_deg * std::ceil((min - angle) / kTurn_deg);
 }
@@ -143,7 +143,8 @@ std::optional<Error> find_kinematic_error(const Machine& machine) {
 std::optional<Error> find_controller_error(const Machine& machine) {
     const rrs::PlannerCapabilities& planner = machine.controller.capabilities();
     if (machine.controller.coordination.independent_ramps && !planner.plans_uncoordinated_joints)
-        return "'own_ramps' needs the planner \"rest-to-rest\": in the others all axes move in proportion";
+        return "'independent_ramps' needs the planner \"rest-to-rest\": in the others all axes move in "
+               "proportion";
     if (!machine.controller.coordination.interpolated_rapids && !planner.plans_uncoordinated_joints)
         return "'interpolated_rapids = false' needs the planner \"rest-to-rest\": in the others all axes "
                "move in proportion";

@@ -51,7 +51,7 @@ constexpr std::array kRuleParameters{
     RuleParameter{"servo_period_s",
                   rrs::rule_field<&Rules::position_loop, &rrs::PositionLoopRules::servo_period_s>()},
     RuleParameter{"settle_s", rrs::rule_field<&Rules::position_loop, &rrs::PositionLoopRules::settle_s>()},
-    RuleParameter{"rest_s", rrs::rule_field<&Rules::standstill, &rrs::StandstillRules::dwell_s>()}};
+    RuleParameter{"standstill_s", rrs::rule_field<&Rules::standstill, &rrs::StandstillRules::dwell_s>()}};
 
 template <typename Parameters>
 auto find_member(const Parameters& parameters, std::string_view key) -> decltype(&parameters.front().value) {

@@ -40,7 +40,7 @@ std::optional<Error> find_rule_error(const rrs::ControllerRules& rules) {
             "'arc_chord_tolerance_mm'",
             "controllers that convert arcs to chords (grbl, grblHAL) support only constant accelerations");
     if (rules.coordination.independent_ramps)
-        return unsupported("'own_ramps'",
+        return unsupported("'independent_ramps'",
                            "the position of an axis while another one accelerates would be unknown");
     if (!rules.coordination.interpolated_rapids)
         return unsupported("'interpolated_rapids = false'",

@@ -60,7 +60,7 @@ std::vector<KeySchema> look_ahead_schema() {
 
 std::vector<KeySchema> path_schema() {
     return {
-        flag_key("own_ramps", false,
+        flag_key("independent_ramps", false,
                  "rotary axes that accompany a tool move, and U, V, W that accompany X, Y, Z, arrive with it "
                  "but with separate ramps; only for the planner rest-to-rest"),
         flag_key("interpolated_rapids", true,
@@ -99,7 +99,7 @@ std::vector<KeySchema> path_schema() {
         choice_key("orientation", "\"joints\"", {"joints", "great-circle"},
                    "rotation of the tool in feed moves: by the angles of the rotary axes, or its direction "
                    "along the great circle"),
-        number_key("least_feed_mm_min", kNotNegative, "0.0", "min feed; lower feeds are raised to it"),
+        number_key("min_feed_mm_min", kNotNegative, "0.0", "min feed; lower feeds are raised to it"),
         number_key(
             "retract_length_mm", kNotNegative, "0.0",
             "distance by which G10 of the dialect klipper retracts the filament; 0: G10 and G11 are unknown"),
@@ -123,7 +123,7 @@ std::vector<KeySchema> wait_schema() {
         number_key("peck_clearance_mm", kNotNegative, "0.254",
                    "distance by which G73 of rs274ngc retracts, and distance above the last depth to which "
                    "G83 returns"),
-        number_key("rest_s", kNotNegative, "0.0",
+        number_key("standstill_s", kNotNegative, "0.0",
                    "time at each stop that waits for the program's next block (dwell, M code)"),
         number_key("dwell_step_s", kStep, "0.0", "dwells are raised to a multiple of it; 0: they are not"),
         number_key("servo_period_s", kStep, "0.0",

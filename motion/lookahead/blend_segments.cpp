@@ -31,7 +31,7 @@ HalfLaws second_half(bool smooth, double speed, double half_s) {
 }
 
 /// Ends of the parts of both lines that are passed in one half, as path lengths.
-struct HalfPaths {
+struct BlendHalfRanges {
     double leaving_from, exit_to;
     double entering_from, entry_to;
 };
@@ -41,19 +41,20 @@ double length_mm(const Block& from, const Segment& segment, double cut) {
     return from.master.role == JointRole::secondary ? cut : 0;
 }
 
-void fill(const Block& from, const Block& to, const HalfPaths& ways, const HalfLaws& laws, Segment& segment) {
+void fill(const Block& from, const Block& to, const BlendHalfRanges& ranges, const HalfLaws& laws,
+          Segment& segment) {
     auto superimposed = std::make_shared<Segment>();
     superimposed->kind = segment.kind = SegmentKind::linear;
     superimposed->target_id = segment.target_id;
     superimposed->start_s = segment.start_s;
     superimposed->position_joints = segment.position_joints;
     superimposed->duration_s = segment.duration_s = laws.leaving.duration_s();
-    superimposed->start = to.line_at(ways.entering_from);
-    superimposed->end = to.line_at(ways.entry_to);
+    superimposed->start = to.line_at(ranges.entering_from);
+    superimposed->end = to.line_at(ranges.entry_to);
     superimposed->master = laws.entering;
     const rrs::JointPos moved = superimposed->start - to.move.start;
-    segment.start = from.line_at(ways.leaving_from) + moved;
-    segment.end = from.line_at(ways.exit_to) + moved;
+    segment.start = from.line_at(ranges.leaving_from) + moved;
+    segment.end = from.line_at(ranges.exit_to) + moved;
     segment.master = laws.leaving;
     segment.master_limits = {};
     segment.path_deviation = PathDeviation::corner;

@@ -18,19 +18,19 @@ constexpr int kCornerStride = 4;
 class SlowerCorners {
   public:
     explicit SlowerCorners(Eigen::Index joints)
-        : turn_(rrs::JointPos::Zero(joints)), jumps_(rrs::JointPos::Zero(joints)) {}
+        : slope_changes_(rrs::JointPos::Zero(joints)), jumps_(rrs::JointPos::Zero(joints)) {}
 
     void add(const rrs::JointPos& change, double speed) {
-        turn_ += change;
+        slope_changes_ += change;
         jumps_ += speed * change;
         min_speed_ = std::min(min_speed_, speed);
     }
-    double turn(Eigen::Index joint) const { return turn_[joint]; }
+    double turn(Eigen::Index joint) const { return slope_changes_[joint]; }
     double jump(Eigen::Index joint) const { return jumps_[joint]; }  // mm/s or rad/s
     double min() const { return min_speed_; }
 
   private:
-    rrs::JointPos turn_;
+    rrs::JointPos slope_changes_;
     rrs::JointPos jumps_;
     double min_speed_ = kUnlimited;
 };
@@ -112,7 +112,7 @@ class JointBounds {
         double acceleration = 0;
 
         /// Returns the highest speed v at which a joint keeps to its step, v turn + before <= step, or to its
-        /// acceleration, v turn + before <= acceleration way / v.
+        /// acceleration, v turn + before <= acceleration distance / v.
         double speed(double turn, double before, double distance) const {
             const double root = std::sqrt(before * before + 4 * turn * acceleration * distance);
             return std::max((step - before) / turn, (root - before) / (2 * turn));
@@ -139,9 +139,9 @@ double distance_at(const Block& block, double speed) {
     return block.master.length * 2 * speed / (speed + std::min(highest, block.max_speed));
 }
 
-/// Calls `look` with the stretches of two and more corners, from the shortest on; of those with many corners
-/// only one of four. `speed` is the speed that `look` leaves for the newest. The stretches end at a corner at
-/// which the motion stops.
+/// Calls `visit_window` with the stretches of two and more corners, from the shortest on; of those with many
+/// corners only one of four. `speed` is the speed that `visit_window` leaves for the newest. The stretches
+/// end at a corner at which the motion stops.
 template <typename Visitor>
 void for_each_corner_sequence(const JointBounds& bounds, const PrecedingBlocks& before, const Block& to,
                               const double& speed, const Visitor& visit_window) {

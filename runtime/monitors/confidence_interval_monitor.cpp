@@ -86,8 +86,8 @@ double ConfidenceIntervalMonitor::log_variance(double time_s) const {
 
 std::optional<TimeInterval> ConfidenceIntervalMonitor::interval(double time_s) const {
     if (!error_.empty() || !(time_s > 0)) return std::nullopt;
-    const double standard_deviation = kNormalQuantile95 * std::sqrt(log_variance(time_s));
-    return TimeInterval{time_s * std::exp(-standard_deviation), time_s * std::exp(standard_deviation)};
+    const double log_half_width = kNormalQuantile95 * std::sqrt(log_variance(time_s));
+    return TimeInterval{time_s * std::exp(-log_half_width), time_s * std::exp(log_half_width)};
 }
 
 }  // namespace gsim::simulation

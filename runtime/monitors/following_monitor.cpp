@@ -7,7 +7,7 @@
 
 namespace gsim::simulation {
 
-FollowingMonitor::FollowingMonitor(const FollowingSetup& setup, double step_s)
+FollowingErrorMonitor::FollowingErrorMonitor(const FollowingSetup& setup, double step_s)
     : program_(setup.planner.position_joints),
       motion_(setup, step_s),
       axes_(setup.machine.axes.size()),
@@ -25,11 +25,11 @@ FollowingMonitor::FollowingMonitor(const FollowingSetup& setup, double step_s)
     report_.band_deg = setup.machine.controller.position_loop.in_position_deg;
 }
 
-void FollowingMonitor::begin(const rrs::JointPos& start) {
+void FollowingErrorMonitor::begin(const rrs::JointPos& start) {
     motion_.begin(start);
 }
 
-void FollowingMonitor::on_segment(const motion::Segment& segment, const MoveInfo& info) {
+void FollowingErrorMonitor::on_segment(const motion::Segment& segment, const MoveInfo& info) {
     const auto inspect_step = [this](double from_s, double to_s) { this->inspect_step(from_s, to_s); };
     motion_.enter(segment, info, inspect_step);  // a dwell in front of it is the move's before
     const bool between_moves = segment.kind == motion::SegmentKind::rest && info.location.line == 0;
@@ -47,16 +47,16 @@ void FollowingMonitor::on_segment(const motion::Segment& segment, const MoveInfo
 }
 
 /// Handles that a peak may be found a little late.
-const SourceLocation& FollowingMonitor::location_at(double t_s) const {
+const SourceLocation& FollowingErrorMonitor::location_at(double t_s) const {
     return t_s <= move_start_s_ && previous_location_.line > 0 ? previous_location_ : move_.location;
 }
 
-double FollowingMonitor::axis_error(std::size_t axis, double joint_error) const {
+double FollowingErrorMonitor::axis_error(std::size_t axis, double joint_error) const {
     return report_.axes[axis].rotary ? joint_error / kRadPerDeg : joint_error;
 }
 
 // Integrates the square of an error by Simpson's rule: over a step it is smooth.
-void FollowingMonitor::inspect_step(double from_s, double to_s) {
+void FollowingErrorMonitor::inspect_step(double from_s, double to_s) {
     const rrs::JointPos from = motion_.errors(from_s);
     const rrs::JointPos middle = motion_.errors((from_s + to_s) / 2);
     const FollowingInstant to = motion_.at(to_s);
@@ -74,7 +74,7 @@ void FollowingMonitor::inspect_step(double from_s, double to_s) {
     inspect_program(to);
 }
 
-void FollowingMonitor::inspect_axis(std::size_t axis, double t_s, double error) {
+void FollowingErrorMonitor::inspect_axis(std::size_t axis, double t_s, double error) {
     const auto joint = static_cast<Eigen::Index>(axis);
     const auto abs_error_at = [&](double at_s) { return std::abs(motion_.errors(at_s)[joint]); };
     if (!axes_[axis].add(t_s, std::abs(error), abs_error_at)) return;
@@ -84,7 +84,7 @@ void FollowingMonitor::inspect_axis(std::size_t axis, double t_s, double error) 
     axis_report.peak_location = location_at(axis_report.peak_t_s);
 }
 
-void FollowingMonitor::inspect_tcp(const FollowingInstant& instant) {
+void FollowingErrorMonitor::inspect_tcp(const FollowingInstant& instant) {
     if (!instant.contour_error_mm) {
         feed_.pause();
         rapid_.pause();
@@ -97,7 +97,7 @@ void FollowingMonitor::inspect_tcp(const FollowingInstant& instant) {
     (rapid ? report_.rapid : report_.feed) = {peak.max(), peak.greatest_s(), location_at(peak.greatest_s())};
 }
 
-void FollowingMonitor::inspect_program(const FollowingInstant& instant) {
+void FollowingErrorMonitor::inspect_program(const FollowingInstant& instant) {
     if (!instant.program_deviation_mm) return program_peak_.pause();
     const auto error_at = [&](double at_s) { return motion_.at(at_s).program_deviation_mm.value_or(0); };
     if (!program_peak_.add(instant.t_s, *instant.program_deviation_mm, error_at)) return;
@@ -105,7 +105,7 @@ void FollowingMonitor::inspect_program(const FollowingInstant& instant) {
                        location_at(program_peak_.greatest_s())};
 }
 
-void FollowingMonitor::end(double end_s) {
+void FollowingErrorMonitor::end(double end_s) {
     motion_.go_to(end_s, [this](double from_s, double to_s) { inspect_step(from_s, to_s); });
     const rrs::JointPos errors = motion_.errors(end_s);
     for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
@@ -121,7 +121,7 @@ void FollowingMonitor::end(double end_s) {
 }
 
 /// Returns when the axes are in their bands to stay, as far as they are followed: s after the end.
-double FollowingMonitor::settling_time_s(double end_s) {
+double FollowingErrorMonitor::settling_time_s(double end_s) {
     constexpr int kHalvings = 40;
     double settling_time_s = end_s;
     const auto inspect_step = [&](double from_s, double to_s) {

@@ -11,12 +11,13 @@
 namespace gsim::simulation {
 
 /// Computes the real positions of axes and TCP in a run.
-class FollowingMonitor : public RunOutput {
+class FollowingErrorMonitor : public RunOutput {
   public:
-    explicit FollowingMonitor(const FollowingSetup& setup, double step_s = dynamics::ServoMotion::kStep_s);
+    explicit FollowingErrorMonitor(const FollowingSetup& setup,
+                                   double step_s = dynamics::ServoMotion::kStep_s);
 
     /// Returns the receiver of the programmed paths.
-    motion::PathSink& ways() { return program_; }
+    motion::PathSink& path_sink() { return program_; }
 
     void begin(const rrs::JointPos& start) override;
     void on_segment(const motion::Segment& segment, const MoveInfo& info) override;

@@ -10,10 +10,10 @@ namespace gsim::simulation {
 /// Our own planner, in process.
 class PlannerMotion final : public MotionSource {
   public:
-    /// `sink` and `ways` must outlive this. Throws std::invalid_argument as motion::Planner does.
-    PlannerMotion(motion::PlannerSetup setup, motion::SegmentSink& sink, motion::PathSink& ways)
+    /// `sink` and `path_sink` must outlive this. Throws std::invalid_argument as motion::Planner does.
+    PlannerMotion(motion::PlannerSetup setup, motion::SegmentSink& sink, motion::PathSink& path_sink)
         : planner_(std::move(setup), &sink), shell_(planner_) {
-        planner_.buffered_moves().set_path_sink(ways);
+        planner_.buffered_moves().set_path_sink(path_sink);
     }
 
     rrs::Shell& shell() override { return shell_; }

@@ -23,7 +23,8 @@ inline Json number(const std::optional<double>& value) {
 }
 
 inline Json file(const Report& report, const SourceLocation& location) {
-    return location.file < report.files.size() ? Json(report.files[location.file]) : Json(nullptr);
+    return location.file < report.source.files.size() ? Json(report.source.files[location.file])
+                                                      : Json(nullptr);
 }
 
 inline Json line(const SourceLocation& location) {

@@ -192,15 +192,15 @@ void Recorder::finish(Report& report) {
     end_move();
     pending_moves_.clear();  // never made: the run ended before
     for (RunOutput* output : outputs_) output->end(end_s_);
-    report.machine = machine_.name;
+    report.source.machine = machine_.name;
     report.cycle_time_s = end_s_;
-    report.rapid_s = rapid_s_.value();
-    report.feed_s = feed_s_.value();
-    report.dwell_s = dwell_s_.value();
-    report.rapid_mm = rapid_mm_.value();
-    report.feed_mm = feed_mm_.value();
-    report.process_on_mm = process_on_mm_.value();
-    report.moves = moves_;
+    report.times.rapid_s = rapid_s_.value();
+    report.times.feed_s = feed_s_.value();
+    report.times.dwell_s = dwell_s_.value();
+    report.distances.rapid_mm = rapid_mm_.value();
+    report.distances.feed_mm = feed_mm_.value();
+    report.distances.process_on_mm = process_on_mm_.value();
+    report.counts.moves = moves_;
     if (report.overrides) {
         report.overrides->feed_locked_s = feed_locked_s_.value();
         report.overrides->rapid_locked_s = rapid_locked_s_.value();

@@ -40,7 +40,7 @@ struct Alarm {
 /// Max number of them that a report lists.
 inline constexpr std::size_t kMaxViolations = 1000;
 
-/// Move past the range of an axis, or a tool position that a zone does not allow. The run continues after it.
+/// Move past the range of an axis, or a tool position that a zone does not allow. The run continues.
 struct Violation {
     double t_s = 0;  ///< For an axis: start of the move; for a zone: when the tool passes the wall.
     SourceLocation location = {};
@@ -117,7 +117,7 @@ struct AxisBounds {
 /// Max distance of the TCP from the programmed path on the part.
 struct Deviation {
     double deviation_mm = 0;
-    SourceLocation location = {};  ///< Location of the move there; the one after a corner.
+    SourceLocation location = {};  ///< Location of the move there; at a corner, the next one.
 };
 
 /// Deviations of the controller from the programmed path: PathDeviationMonitor.
@@ -238,7 +238,6 @@ struct ZoneUse {
     std::optional<double> to_s;    ///< Nullopt: to the end of the run.
 };
 
-/// Complete result of a run; units are in the names, and in the JSON as well.
 /// Interval that contains the time of a run with a probability of 95 %, as far as the parameters of the
 /// machine are known.
 struct TimeInterval {
@@ -246,38 +245,73 @@ struct TimeInterval {
     double max_s = 0;
 };
 
-struct Report {
+/// The program and the machine of a run.
+struct ReportSource {
     std::string program;
     std::string machine;
-    std::string controller;  ///< Model that its machine file names; empty if a module plans.
+    std::string controller;          ///< Model that the machine file names; empty if a module plans.
+    std::string process = "jet";     ///< Process of the machine: "jet", "plasma", "laser", "spindle".
+    std::vector<std::string> files;  ///< Names that SourceLocation::file indexes.
+};
+
+/// Parts of the cycle time, and its interval.
+struct ReportTimes {
+    std::optional<TimeInterval>
+        interval;  ///< For the cycle time, if the machine file says how it was fitted.
+    double rapid_s = 0, feed_s = 0, dwell_s = 0;
+    double words_s = 0;  ///< The part of dwell_s that words took by [times] of the machine file.
+};
+
+/// Distances of the TCP.
+struct ReportDistances {
+    double rapid_mm = 0, feed_mm = 0, process_on_mm = 0;
+};
+
+struct ReportCounts {
+    std::uint64_t blocks = 0;
+    std::uint64_t moves = 0;
+};
+
+struct ReportMessages {
+    std::vector<std::string> warnings;
+    std::vector<text::Diagnostic> diagnostics;  ///< For the program's text.
+};
+
+/// Findings about motors and servo loops.
+struct DriveReports {
+    std::optional<EffortReport> efforts;       ///< If the machine file gives masses.
+    std::optional<FollowingReport> following;  ///< If it gives servo loops.
+};
+
+/// Work of several processes.
+struct ConcurrencyReport {
+    std::vector<ProcessSummary> processes;  ///< Empty if only the program ran.
+    std::vector<SignalChange> signals;
+    std::vector<ZoneUse> zone_uses;  ///< Uses of shared zones, in the order of their requests.
+};
+
+/// Complete result of a run; units are in the names, and in the JSON as well.
+struct Report {
+    ReportSource source;
     RunStatus status = RunStatus::completed;
     std::optional<Alarm> alarm;  ///< Also why a run was stopped.
     Violations violations;
     ProcessFindings findings;
-    std::string process = "jet";  ///< Process of the machine: "jet", "plasma", "laser", "spindle".
     double cycle_time_s = 0;
-    std::optional<TimeInterval> interval;  ///< For cycle_time_s, if the machine file says how it was fitted.
-    double rapid_s = 0, feed_s = 0, dwell_s = 0;
-    double words_s = 0;  ///< The part of dwell_s that words took by [times] of the machine file.
-    double rapid_mm = 0, feed_mm = 0, process_on_mm = 0;
-    std::uint64_t blocks = 0;
-    std::uint64_t moves = 0;
+    ReportTimes times;
+    ReportDistances distances;
+    ReportCounts counts;
     Blends blends;
     std::vector<AxisBounds> bounds;
     std::vector<Event> events;
-    std::vector<std::string> warnings;
-    std::vector<text::Diagnostic> diagnostics;  ///< For the program's text.
+    ReportMessages messages;
     std::optional<Passes> passes;
     std::optional<OverrideReport> overrides;  ///< If the operator turned one.
     std::vector<SlowBlock> slowest;           ///< At most ten, longest first.
     std::optional<Explanation> explanation;
-    std::optional<EffortReport> efforts;       ///< If the machine file gives masses.
-    std::optional<FollowingReport> following;  ///< If it gives servo loops.
+    DriveReports drives;
     std::optional<CellFindings> cell;
-    std::vector<ProcessSummary> processes;  ///< Empty if only the program ran.
-    std::vector<SignalChange> signals;
-    std::vector<ZoneUse> zone_uses;  ///< Uses of shared zones, in the order of their requests.
-    std::vector<std::string> files;  ///< Names that SourceLocation::file indexes.
+    ConcurrencyReport concurrency;
 };
 
 /// Returns the report as the JSON of the design (docs/report.md); keys in a fixed order, doubles in shortest

@@ -14,7 +14,7 @@ using text::Severity;
 
 class Collector {
   public:
-    explicit Collector(const Report& report) : report_(report), all_(report.diagnostics) {}
+    explicit Collector(const Report& report) : report_(report), all_(report.messages.diagnostics) {}
 
     std::vector<Diagnostic> collect() {
         add_alarm();
@@ -25,7 +25,7 @@ class Collector {
         add_findings();
         add_efforts();
         add_cell();
-        for (const std::string& warning : report_.warnings) add_warning(warning);
+        for (const std::string& warning : report_.messages.warnings) add_warning(warning);
         return std::move(all_);
     }
 
@@ -33,9 +33,9 @@ class Collector {
     /// Returns a diagnostic at a source location of the run, or about the complete program if the location is
     /// unknown.
     Diagnostic at(const SourceLocation& location) const {
-        const bool known = location.line > 0 && location.file < report_.files.size();
+        const bool known = location.line > 0 && location.file < report_.source.files.size();
         Diagnostic diagnostic;
-        diagnostic.file = known ? report_.files[location.file] : report_.program;
+        diagnostic.file = known ? report_.source.files[location.file] : report_.source.program;
         diagnostic.line = known ? location.line : 0;
         return diagnostic;
     }
@@ -93,8 +93,8 @@ class Collector {
     }
 
     void add_efforts() {
-        if (!report_.efforts) return;
-        const EffortReport& efforts = *report_.efforts;
+        if (!report_.drives.efforts) return;
+        const EffortReport& efforts = *report_.drives.efforts;
         for (const EffortExcess& excess : efforts.excesses) {
             if (excess.continuous) {
                 add(at({}), Severity::warning, DiagnosticKind::motor_continuous, excess_text(excess));
@@ -131,7 +131,7 @@ class Collector {
     void add_warning(const std::string& message) {
         Diagnostic diagnostic = text::to_diagnostic(DiagnosticKind::warning, message);
         diagnostic.severity = Severity::warning;
-        if (diagnostic.file.empty()) diagnostic.file = report_.program;
+        if (diagnostic.file.empty()) diagnostic.file = report_.source.program;
         all_.push_back(std::move(diagnostic));
     }
 

@@ -74,7 +74,7 @@ void add_axes(ReportLines& out, const Report& report) {
     const auto limit = [](double value) {
         return std::isfinite(value) ? fmt::format("{:.1f}", value) : std::string("-");
     };
-    for (const AxisEffort& axis : report.efforts->axes) {
+    for (const AxisEffort& axis : report.drives.efforts->axes) {
         out.add("{} {:<7}{:>11.1f}{:>11}{:>12.1f}{:>11}{:>12.3f}{:>12.3f}   {}", axis.letter,
                 effort_unit(axis.rotary), axis.peak, limit(axis.motor_peak), axis.rms,
                 limit(axis.motor_continuous), axis.drive_j / 1000, axis.regenerated_j / 1000,
@@ -106,7 +106,7 @@ void add_energies(ReportLines& out, const EffortReport& efforts) {
 }
 
 void add_excesses(ReportLines& out, const Report& report) {
-    const std::vector<EffortExcess>& list = report.efforts->excesses;
+    const std::vector<EffortExcess>& list = report.drives.efforts->excesses;
     const std::size_t visible_count = std::min(list.size(), kMaxDisplayedExcesses);
     for (std::size_t i = 0; i < visible_count; ++i) {
         if (list[i].continuous) {
@@ -115,14 +115,14 @@ void add_excesses(ReportLines& out, const Report& report) {
         }
         out.add("motor: {}: {}", location_text(report, list[i].location, 30), excess_text(list[i]));
     }
-    if (report.efforts->excess_count > visible_count)
-        out.add("and {} more", report.efforts->excess_count - visible_count);
+    if (report.drives.efforts->excess_count > visible_count)
+        out.add("and {} more", report.drives.efforts->excess_count - visible_count);
 }
 
 }  // namespace
 
 nlohmann::ordered_json efforts_json(const Report& report) {
-    const EffortReport& efforts = *report.efforts;
+    const EffortReport& efforts = *report.drives.efforts;
     Json axes = Json::array();
     for (const AxisEffort& axis : efforts.axes) axes.push_back(axis_json(report, axis));
     Json programs = Json::array();
@@ -153,7 +153,7 @@ std::string efforts_text(const Report& report) {
     ReportLines out;
     out.add("");
     add_axes(out, report);
-    add_energies(out, *report.efforts);
+    add_energies(out, *report.drives.efforts);
     add_excesses(out, report);
     return out.release();
 }

@@ -49,7 +49,7 @@ std::string contour_text(const Report& report, const ContourError& contour) {
 }  // namespace
 
 nlohmann::ordered_json following_json(const Report& report) {
-    const FollowingReport& following = *report.following;
+    const FollowingReport& following = *report.drives.following;
     Json axes = Json::array();
     for (const AxisFollowing& axis : following.axes) axes.push_back(following_axis_json(report, axis));
     return {{"axes", std::move(axes)},
@@ -62,7 +62,7 @@ nlohmann::ordered_json following_json(const Report& report) {
 }
 
 std::string following_text(const Report& report) {
-    const FollowingReport& following = *report.following;
+    const FollowingReport& following = *report.drives.following;
     std::string out =
         fmt::format("\n{:<15}{:>11}{:>12}{:>14}   {}\n", "following", "peak", "rms", "delay (ms)", "peak at");
     for (const AxisFollowing& axis : following.axes) {

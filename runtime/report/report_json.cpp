@@ -189,7 +189,7 @@ Json processes(const std::vector<ProcessSummary>& list) {
 
 Json signals(const Report& report) {
     Json signals = Json::array();
-    for (const SignalChange& change : report.signals) {
+    for (const SignalChange& change : report.concurrency.signals) {
         signals.push_back({{"t_s", number(change.t_s)},
                            {"file", file(report, change.location)},
                            {"line", line(change.location)},
@@ -202,12 +202,12 @@ Json signals(const Report& report) {
 
 Json zone_uses(const Report& report) {
     Json uses = Json::array();
-    for (const ZoneUse& use : report.zone_uses) {
+    for (const ZoneUse& use : report.concurrency.zone_uses) {
         uses.push_back({{"zone", use.zone},
                         {"process", use.process},
                         {"file", file(report, use.location)},
                         {"line", line(use.location)},
-                        {"asked_s", number(use.requested_s)},
+                        {"requested_s", number(use.requested_s)},
                         {"from_s", use.from_s ? number(*use.from_s) : Json(nullptr)},
                         {"to_s", use.to_s ? number(*use.to_s) : Json(nullptr)}});
     }
@@ -242,18 +242,18 @@ Json overrides(const OverrideReport& overrides) {
 
 // Adds `words_s` if words take time.
 Json times(const Report& report) {
-    Json json = {{"rapid_s", number(report.rapid_s)},
-                 {"feed_s", number(report.feed_s)},
-                 {"dwell_s", number(report.dwell_s)}};
-    if (report.words_s > 0) json["words_s"] = number(report.words_s);
+    Json json = {{"rapid_s", number(report.times.rapid_s)},
+                 {"feed_s", number(report.times.feed_s)},
+                 {"dwell_s", number(report.times.dwell_s)}};
+    if (report.times.words_s > 0) json["words_s"] = number(report.times.words_s);
     return json;
 }
 
 Json object(const Report& report) {
     Json json = {
-        {"program", report.program},
-        {"machine", report.machine},
-        {"controller", report.controller.empty() ? Json(nullptr) : Json(report.controller)},
+        {"program", report.source.program},
+        {"machine", report.source.machine},
+        {"controller", report.source.controller.empty() ? Json(nullptr) : Json(report.source.controller)},
         {"status", std::string(name(report.status))},
         {"alarm", alarm(report)},
         {"violations", violations(report)},
@@ -262,17 +262,17 @@ Json object(const Report& report) {
         {"cycle_time_s", number(report.cycle_time_s)},
         {"valid_until_s", number(report.violations.valid_until_s())},
         {"time", times(report)},
-        {"process", report.process},
+        {"process", report.source.process},
         {"length",
-         {{"rapid_mm", number(report.rapid_mm)},
-          {"feed_mm", number(report.feed_mm)},
-          {"process_on_mm", number(report.process_on_mm)}}},
-        {"blocks", report.blocks},
-        {"moves", report.moves},
+         {{"rapid_mm", number(report.distances.rapid_mm)},
+          {"feed_mm", number(report.distances.feed_mm)},
+          {"process_on_mm", number(report.distances.process_on_mm)}}},
+        {"blocks", report.counts.blocks},
+        {"moves", report.counts.moves},
         {"blends", blends(report)},
         {"bounds", bounds(report)},
         {"events", events(report)},
-        {"warnings", report.warnings},
+        {"warnings", report.messages.warnings},
         {"diagnostics", text::to_json(report_diagnostics(report))},
         {"findings", findings(report)},
         {"slowest", slowest(report)},
@@ -283,10 +283,11 @@ Json object(const Report& report) {
         json["time_by_limit"] = time_by_limit(*report.explanation);
         json["lower_bound_s"] = number(report.explanation->lower_bound_s);
     }
-    if (report.interval)
-        json["cycle_time_95_s"] = {number(report.interval->min_s), number(report.interval->max_s)};
-    if (report.efforts) json["efforts"] = efforts_json(report);
-    if (report.following) json["following"] = following_json(report);
+    if (report.times.interval)
+        json["cycle_time_95_s"] = {number(report.times.interval->min_s),
+                                   number(report.times.interval->max_s)};
+    if (report.drives.efforts) json["efforts"] = efforts_json(report);
+    if (report.drives.following) json["following"] = following_json(report);
     if (report.cell) {
         json["cell"] = {{"name", report.cell->name},
                         {"clearance_mm", number(report.cell->clearance_mm)},
@@ -294,8 +295,8 @@ Json object(const Report& report) {
         json["collisions"] = collisions(report);
         json["clearances"] = clearances(report);
     }
-    if (!report.processes.empty()) {
-        json["processes"] = processes(report.processes);
+    if (!report.concurrency.processes.empty()) {
+        json["processes"] = processes(report.concurrency.processes);
         json["signals"] = signals(report);
     }
     return json;
@@ -315,15 +316,15 @@ std::string to_json(const Report& report) {
 
 std::string to_json(const RobotsReport& report) {
     const Report& full = report.full;
-    Json json = {{"program", full.program},
+    Json json = {{"program", full.source.program},
                  {"status", std::string(name(full.status))},
                  {"alarm", alarm(full)},
                  {"violation_count", full.violations.count},
                  {"cycle_time_s", number(full.cycle_time_s)},
-                 {"processes", processes(full.processes)},
+                 {"processes", processes(full.concurrency.processes)},
                  {"signals", signals(full)},
                  {"zones", zone_uses(full)},
-                 {"warnings", full.warnings}};
+                 {"warnings", full.messages.warnings}};
     Json robots = Json::array();
     for (const RobotReport& robot : report.robots) {
         Json entry = {{"name", robot.name}, {"idle_s", number(robot.idle_s)}};

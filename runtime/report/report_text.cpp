@@ -101,10 +101,11 @@ void add_overrides(Text& out, const Report& report) {
 }
 
 void add_header(Text& out, const Report& report) {
-    out.line("{:<12}{}", "program", truncated(report.program, kLineWidth - 12));
-    if (!report.machine.empty()) {
-        out.line("{:<12}{}", "machine", truncated(report.machine, kLineWidth - 12));
-        const std::string controller = report.controller.empty() ? "a module" : report.controller;
+    out.line("{:<12}{}", "program", truncated(report.source.program, kLineWidth - 12));
+    if (!report.source.machine.empty()) {
+        out.line("{:<12}{}", "machine", truncated(report.source.machine, kLineWidth - 12));
+        const std::string controller =
+            report.source.controller.empty() ? "a module" : report.source.controller;
         out.line("{:<12}{}", "controller", truncated(controller, kLineWidth - 12));
     }
     out.line("{:<12}{}", "status", name(report.status));
@@ -117,14 +118,14 @@ void add_header(Text& out, const Report& report) {
         out.write_wrapped("  because   ", report.alarm->message);
     }
     out.line("{:<12}{:.3f} s  ({}){}", "cycle time", report.cycle_time_s, clock_text(report.cycle_time_s),
-             report.interval
-                 ? fmt::format(", {:.3f} to {:.3f} s (95 %)", report.interval->min_s, report.interval->max_s)
-                 : "");
+             report.times.interval ? fmt::format(", {:.3f} to {:.3f} s (95 %)", report.times.interval->min_s,
+                                                 report.times.interval->max_s)
+                                   : "");
     if (const auto valid_s = report.violations.valid_until_s())
         out.line("{:<12}not valid from {:.3f} s on, because the machine exceeds a limit there", "", *valid_s);
     add_passes(out, report);
     add_overrides(out, report);
-    out.line("{:<12}{} executed, {} moves", "blocks", report.blocks, report.moves);
+    out.line("{:<12}{} executed, {} moves", "blocks", report.counts.blocks, report.counts.moves);
     add_blends(out, report);
 }
 
@@ -152,15 +153,15 @@ void add_times(Text& out, const Report& report) {
     const auto row = [&](std::string_view what, double time_s, double length_mm) {
         out.line("{:<10}{:>14.3f}{:>8.1f} %{:>16.3f}", what, time_s, percent(report, time_s), length_mm);
     };
-    row("rapid", report.rapid_s, report.rapid_mm);
-    row("feed", report.feed_s, report.feed_mm);
-    out.line("{:<12}{:>12}{:>10}{:>16.3f}", fmt::format(" {} on", report.process), "", "",
-             report.process_on_mm);
+    row("rapid", report.times.rapid_s, report.distances.rapid_mm);
+    row("feed", report.times.feed_s, report.distances.feed_mm);
+    out.line("{:<12}{:>12}{:>10}{:>16.3f}", fmt::format(" {} on", report.source.process), "", "",
+             report.distances.process_on_mm);
     const auto remainder = [&](std::string_view what, double time_s) {
         out.line("{:<10}{:>14.3f}{:>8.1f} %", what, time_s, percent(report, time_s));
     };
-    remainder("dwell", report.dwell_s);
-    if (report.words_s > 0) remainder(" of words", report.words_s);
+    remainder("dwell", report.times.dwell_s);
+    if (report.times.words_s > 0) remainder(" of words", report.times.words_s);
 }
 
 void add_explanation(Text& out, const Report& report) {
@@ -309,40 +310,40 @@ void add_cell(Text& out, const Report& report) {
 }
 
 void add_zone_uses(Text& out, const Report& report) {
-    if (report.zone_uses.empty()) return;
+    if (report.concurrency.zone_uses.empty()) return;
     out.blank();
     out.line("{:<24}  {:<16}  {:<20}{:>12}{:>12}{:>12}", "zones", "process", "request at", "request (s)",
              "from (s)", "to (s)");
     const auto of = [](std::optional<double> t_s) { return t_s ? text::fixed(*t_s, 3) : std::string("-"); };
-    for (std::size_t i = 0; i < std::min(report.zone_uses.size(), kMaxDisplayedEvents); ++i) {
-        const ZoneUse& use = report.zone_uses[i];
+    for (std::size_t i = 0; i < std::min(report.concurrency.zone_uses.size(), kMaxDisplayedEvents); ++i) {
+        const ZoneUse& use = report.concurrency.zone_uses[i];
         out.line("{:<24}  {:<16}  {:<20}{:>12.3f}{:>12}{:>12}", truncated(use.zone, 24),
                  truncated(use.process, 16), location_text(report, use.location, 20), use.requested_s,
                  of(use.from_s), of(use.to_s));
     }
-    if (report.zone_uses.size() > kMaxDisplayedEvents) out.line("{:>14}", "...");
+    if (report.concurrency.zone_uses.size() > kMaxDisplayedEvents) out.line("{:>14}", "...");
 }
 
 void add_processes(Text& out, const Report& report) {
-    if (report.processes.empty()) return;
+    if (report.concurrency.processes.empty()) return;
     out.blank();
     out.line("{:<24}  {:<16}  {:<8}{:>12}{:>12}{:>12}", "processes", "robot", "state", "start (s)", "end (s)",
              "idle (s)");
-    for (const ProcessSummary& process : report.processes) {
+    for (const ProcessSummary& process : report.concurrency.processes) {
         out.line("{:<24}  {:<16}  {:<8}{:>12.3f}{:>12.3f}{:>12.3f}", truncated(process.name, 24),
                  truncated(process.robot, 16), process.state, process.start_s, process.end_s, process.idle_s);
     }
     add_zone_uses(out, report);
-    if (report.signals.empty()) return;
+    if (report.concurrency.signals.empty()) return;
     out.blank();
-    out.line("signals changed {} times", report.signals.size());
-    for (std::size_t i = 0; i < std::min(report.signals.size(), kMaxDisplayedEvents); ++i) {
-        const SignalChange& change = report.signals[i];
+    out.line("signals changed {} times", report.concurrency.signals.size());
+    for (std::size_t i = 0; i < std::min(report.concurrency.signals.size(), kMaxDisplayedEvents); ++i) {
+        const SignalChange& change = report.concurrency.signals[i];
         const std::string what = sanitized(fmt::format("{} = {}", change.signal, change.value));
         out.line("{:>12.3f} s  {:<30}  {}", change.t_s, location_text(report, change.location, 30),
                  what.substr(0, kLineWidth - 48));
     }
-    if (report.signals.size() > kMaxDisplayedEvents) out.line("{:>14}", "...");
+    if (report.concurrency.signals.size() > kMaxDisplayedEvents) out.line("{:>14}", "...");
 }
 
 void add_findings(Text& out, const Report& report) {
@@ -360,12 +361,13 @@ void add_findings(Text& out, const Report& report) {
 }
 
 void add_warnings(Text& out, const Report& report) {
-    if (report.warnings.empty()) return;
+    if (report.messages.warnings.empty()) return;
     out.blank();
-    const std::size_t visible_count = std::min(report.warnings.size(), kMaxDisplayedWarnings);
-    for (std::size_t i = 0; i < visible_count; ++i) out.write_wrapped("warning: ", report.warnings[i]);
-    if (report.warnings.size() > visible_count)
-        out.line("and {} more warnings", report.warnings.size() - visible_count);
+    const std::size_t visible_count = std::min(report.messages.warnings.size(), kMaxDisplayedWarnings);
+    for (std::size_t i = 0; i < visible_count; ++i)
+        out.write_wrapped("warning: ", report.messages.warnings[i]);
+    if (report.messages.warnings.size() > visible_count)
+        out.line("and {} more warnings", report.messages.warnings.size() - visible_count);
 }
 
 }  // namespace
@@ -379,12 +381,12 @@ std::string to_text(const Report& report) {
     Text out;
     add_header(out, report);
     add_violations(out, report);
-    if (!report.machine.empty()) add_times(out, report);
+    if (!report.source.machine.empty()) add_times(out, report);
     add_explanation(out, report);
     add_bounds(out, report);
     add_cell(out, report);
-    if (report.efforts) out.lines(efforts_text(report));
-    if (report.following) out.lines(following_text(report));
+    if (report.drives.efforts) out.lines(efforts_text(report));
+    if (report.drives.following) out.lines(following_text(report));
     add_slowest(out, report);
     add_events(out, report);
     add_processes(out, report);

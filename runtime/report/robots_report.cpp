@@ -9,18 +9,18 @@ namespace gsim::simulation {
 RobotsReport robots_report(Report full, std::vector<RobotReport> robots) {
     for (const RobotReport& robot : robots) {
         full.cycle_time_s = std::max(full.cycle_time_s, robot.report.cycle_time_s);
-        full.blocks += robot.report.blocks;
-        full.moves += robot.report.moves;
+        full.counts.blocks += robot.report.counts.blocks;
+        full.counts.moves += robot.report.counts.moves;
         full.violations.count += robot.report.violations.count;
         if (full.alarm || !robot.report.alarm) continue;
         full.status = robot.report.status;
         full.alarm = robot.report.alarm;
     }
     if (full.status == RunStatus::completed && full.violations.count > 0) full.status = RunStatus::violations;
-    for (const ProcessSummary& process : full.processes) {
+    for (const ProcessSummary& process : full.concurrency.processes) {
         if (!process.background) full.cycle_time_s = std::max(full.cycle_time_s, process.end_s);
     }
-    if (!robots.empty()) full.files = robots.front().report.files;
+    if (!robots.empty()) full.source.files = robots.front().report.source.files;
     return {std::move(full), std::move(robots)};
 }
 

@@ -18,7 +18,8 @@ std::string truncated(std::string_view text, std::size_t width) {
 }
 
 std::string location_text(const Report& report, const SourceLocation& location, std::size_t width) {
-    const std::string file = location.file < report.files.size() ? report.files[location.file] : "?";
+    const std::string file =
+        location.file < report.source.files.size() ? report.source.files[location.file] : "?";
     const std::string line = location.line > 0 ? fmt::format(":{}", location.line) : "";
     return truncated(file, width - line.size()) + line;
 }

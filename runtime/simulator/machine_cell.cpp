@@ -58,7 +58,7 @@ void MachineCell::add_findings(Report& report) {
     if (monitor_ == nullptr || !monitor_->use().monitored) return;
     report.cell = monitor_->release();
     if (report.cell->dropped == 0) return;
-    report.warnings.push_back(
+    report.messages.warnings.push_back(
         fmt::format("{} more contacts and near misses are not listed in the report", report.cell->dropped));
 }
 

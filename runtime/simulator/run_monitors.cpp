@@ -19,16 +19,16 @@ RunMonitors::RunMonitors(const machine::Machine& machine, MachineMotion& motion,
       centripetal_monitor_(machine) {
     motion.recorder().add_output(centripetal_monitor_);
     motion.recorder().add_output(early_braking_monitor_);
-    start_following();
+    start_following_error();
 }
 
 RunMonitors::~RunMonitors() = default;
 
-void RunMonitors::start_following() {
+void RunMonitors::start_following_error() {
     const auto setup = following_setup();
     if (!setup) return;
-    following_ = std::make_unique<FollowingMonitor>(*setup);
-    motion_.add_path_sink(following_->ways());
+    following_ = std::make_unique<FollowingErrorMonitor>(*setup);
+    motion_.add_path_sink(following_->path_sink());
     motion_.recorder().add_output(*following_);
 }
 
@@ -60,8 +60,10 @@ std::optional<FollowingSetup> RunMonitors::following_setup() const {
 }
 
 void RunMonitors::add_warnings(const std::vector<std::string>& files, Report& report) const {
-    if (const auto warning = centripetal_monitor_.warning(files)) report.warnings.push_back(*warning);
-    if (const auto warning = early_braking_monitor_.warning(files)) report.warnings.push_back(*warning);
+    if (const auto warning = centripetal_monitor_.warning(files))
+        report.messages.warnings.push_back(*warning);
+    if (const auto warning = early_braking_monitor_.warning(files))
+        report.messages.warnings.push_back(*warning);
 }
 
 void RunMonitors::add_results(RunStatus status, const std::vector<std::string>& programs,
@@ -74,27 +76,27 @@ void RunMonitors::add_results(RunStatus status, const std::vector<std::string>& 
 void RunMonitors::add_efforts(RunStatus status, const std::vector<std::string>& programs,
                               Report& report) const {
     if (!efforts_) return;
-    report.efforts = efforts_->report(programs);
+    report.drives.efforts = efforts_->report(programs);
     if (axes_time_monitor_ == nullptr || status != RunStatus::completed) return;
-    report.efforts->time_by_axis_accelerations_s = axes_time_monitor_->time_s();
-    if (report.efforts->time_by_axis_accelerations_s || report.cycle_time_s <= 0) return;
-    report.warnings.push_back(fmt::format(
+    report.drives.efforts->time_by_axis_accelerations_s = axes_time_monitor_->time_s();
+    if (report.drives.efforts->time_by_axis_accelerations_s || report.cycle_time_s <= 0) return;
+    report.messages.warnings.push_back(fmt::format(
         "torques limit the accelerations, and the time with the axis accelerations is unknown: {}",
         axes_time_monitor_->error()));
 }
 
 void RunMonitors::add_interval(RunStatus status, Report& report) const {
     if (!interval_monitor_ || status != RunStatus::completed) return;
-    report.interval = interval_monitor_->interval(report.cycle_time_s);
-    if (report.interval || report.cycle_time_s <= 0) return;
-    report.warnings.push_back(fmt::format("the machine is calibrated, but the cycle time has no interval: {}",
-                                          interval_monitor_->error()));
+    report.times.interval = interval_monitor_->interval(report.cycle_time_s);
+    if (report.times.interval || report.cycle_time_s <= 0) return;
+    report.messages.warnings.push_back(fmt::format(
+        "the machine is calibrated, but the cycle time has no interval: {}", interval_monitor_->error()));
 }
 
 void RunMonitors::add_following(Report& report) const {
     if (following_ == nullptr) return;
-    report.following = following_->report();
-    if (motion_.source().is_sampled()) report.following->program.reset();  // a module reports no paths
+    report.drives.following = following_->report();
+    if (motion_.source().is_sampled()) report.drives.following->program.reset();  // a module reports no paths
 }
 
 }  // namespace gsim::simulation

@@ -20,7 +20,7 @@
 namespace gsim::simulation {
 
 class AxesTimeMonitor;
-class FollowingMonitor;
+class FollowingErrorMonitor;
 
 /// Monitors of the motion itself that every run has: its curvature and braking, and, as the machine file
 /// describes them, its motors, its servo loops and the uncertainty of its time.
@@ -34,7 +34,7 @@ class RunMonitors {
     RunMonitors(const RunMonitors&) = delete;
     RunMonitors& operator=(const RunMonitors&) = delete;
 
-    /// Begins to measure the uncertainty of the time, after the machine has its start position.
+    /// Begins to measure the uncertainty of the time, once the machine has its start position.
     void start_interval();
     /// Sets the dynamics, so that the report has the loads of the motors, before the first move.
     void set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics);
@@ -51,7 +51,7 @@ class RunMonitors {
     void add_results(RunStatus status, const std::vector<std::string>& programs, Report& report) const;
 
   private:
-    void start_following();
+    void start_following_error();
     void apply_torque_limits();
     void add_efforts(RunStatus status, const std::vector<std::string>& programs, Report& report) const;
     void add_interval(RunStatus status, Report& report) const;
@@ -67,7 +67,7 @@ class RunMonitors {
     std::optional<EffortMonitor> efforts_;
     std::unique_ptr<AxesTimeMonitor> axes_time_monitor_;         ///< Set if torques limit accelerations.
     std::optional<ConfidenceIntervalMonitor> interval_monitor_;  ///< For a calibrated machine.
-    std::unique_ptr<FollowingMonitor> following_;                ///< Set if the machine has servo loops.
+    std::unique_ptr<FollowingErrorMonitor> following_;           ///< Set if the machine has servo loops.
 };
 
 }  // namespace gsim::simulation

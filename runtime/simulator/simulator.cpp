@@ -63,28 +63,28 @@ Report Simulator::finish(std::string program) {
     report.findings = program_.process().release();
     report.blends = motion_.path_deviation().blends();
     report.blends.measured = !is_sampled;
-    if (machine_.process) report.process = machine::name(machine_.process->kind);
-    if (!is_sampled) report.controller = machine_.controller.model;
-    report.program = std::move(program);
+    if (machine_.process) report.source.process = machine::name(machine_.process->kind);
+    if (!is_sampled) report.source.controller = machine_.controller.model;
+    report.source.program = std::move(program);
     report.status = outcome_.status();
     report.alarm = outcome_.alarm();
     report.violations = violations_.release();
     if (report.status == RunStatus::completed && report.violations.count > 0)
         report.status = RunStatus::violations;
-    report.blocks = outcome_.blocks();
-    report.words_s = dwells_.words_s();
+    report.counts.blocks = outcome_.blocks();
+    report.times.words_s = dwells_.words_s();
     report.passes = program_.calls().passes();
     if (report.overrides) report.overrides->changes = motion_.overrides();
     report.events = events_.log().release();
-    report.warnings = warnings_.release();
+    report.messages.warnings = warnings_.release();
     monitors_.add_warnings(program_.files().names(), report);
     if (events_.log().dropped() > 0) {
-        report.warnings.push_back(
+        report.messages.warnings.push_back(
             fmt::format("{} more events are not listed in the report", events_.log().dropped()));
     }
     cell_.add_findings(report);
     monitors_.add_results(outcome_.status(), program_.calls().names(), report);
-    report.files = program_.files().names();
+    report.source.files = program_.files().names();
     return report;
 }
 

@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     drawing.drawing = argv[1];
     drawing.cutting.speed_mm_min = 1200;
     drawing.cutting.kerf_mm = 1;
-    drawing.ways.origin_mm = {100, 100, 0};  // position of the origin of the drawing
+    drawing.cutting_path.origin_mm = {100, 100, 0};  // position of the origin of the drawing
     auto cuts = engine::DrawingPath::open(drawing);
     if (!cuts) return std::fprintf(stderr, "%s\n", cuts.error().message.c_str()), 2;
     if (const auto read = cuts->read(); !read)

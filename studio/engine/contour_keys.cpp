@@ -24,9 +24,9 @@ void unpack_contours(KeyReader& keys, std::optional<engine::SurfaceCuttingOption
     parameters.texts("faces", options.contours.faces);
     parameters.texts("edges", options.contours.edges);
     parameters.word("axis", kAxes, axis);
-    parameters.number("lean_deg", -80, 80, options.tilt_deg);
-    parameters.number("tilt_deg", -60, 60, options.lead_angle_deg);
-    parameters.number("max_lean_deg", 0, 85, options.max_tilt_deg);
+    parameters.number("tilt_angle_deg", -80, 80, options.tilt_deg);
+    parameters.number("lead_angle_deg", -60, 60, options.lead_angle_deg);
+    parameters.number("max_tilt_deg", 0, 85, options.max_tilt_deg);
     parameters.read_integer("bridges", 0, 1000, bridges);
     parameters.number("bridge_mm", 0, 100, options.bridge_mm);
     parameters.point("start_mm", -kMaxCoordinate_mm, kMaxCoordinate_mm, options.start_mm);

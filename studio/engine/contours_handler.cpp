@@ -18,7 +18,7 @@ nlohmann::ordered_json contour_json(const engine::ListedContour& contour) {
     return {{"face", contour.face},           {"is_hole", contour.is_hole},
             {"is_open", contour.is_open},     {"edges", contour.edges},
             {"length_mm", contour.length_mm}, {"depth_mm", contour.depth_mm},
-            {"lean_deg", contour.tilt_deg},   {"points", contour.polyline_mm.size()}};
+            {"tilt_deg", contour.tilt_deg},   {"points", contour.polyline_mm.size()}};
 }
 
 void send_contours(const engine::ContourList& list, const Post& post) {

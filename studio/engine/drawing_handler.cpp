@@ -40,18 +40,18 @@ void read_cutting_options(KeyReader& keys, engine::CuttingOptions& cutting) {
     keys.number("speed_mm_min", 1e-3, 1e6, cutting.speed_mm_min);
     keys.number("kerf_mm", 1e-3, 100, cutting.kerf_mm);
     keys.number("pierce_s", 0, 3600, cutting.pierce_s);
-    keys.boolean("moving_pierce", cutting.dynamic_pierce);
-    keys.boolean("straighten", cutting.taper_compensation);
+    keys.boolean("dynamic_pierce", cutting.dynamic_pierce);
+    keys.boolean("taper_compensation", cutting.taper_compensation);
     if (cutting.material.empty() && !(cutting.speed_mm_min && cutting.kerf_mm))
         keys.add_error("a drawing needs 'material' and 'thickness_mm', or 'speed_mm_min' and 'kerf_mm'");
 }
 
-void read_cutting_paths(KeyReader& keys, engine::CuttingPathOptions& ways) {
-    keys.point("origin_mm", -kMax, kMax, ways.origin_mm);
-    keys.number("lead_mm", 0.05, 1000, ways.lead_mm);
-    keys.number("safe_height_mm", 0, 10'000, ways.safe_height_mm);
-    keys.number("cut_height_mm", 0, 1000, ways.cut_height_mm);
-    keys.number("bevel_deg", -60, 60, ways.bevel_deg);
+void read_cutting_paths(KeyReader& keys, engine::CuttingPathOptions& path) {
+    keys.point("origin_mm", -kMax, kMax, path.origin_mm);
+    keys.number("lead_mm", 0.05, 1000, path.lead_mm);
+    keys.number("safe_height_mm", 0, 10'000, path.safe_height_mm);
+    keys.number("cut_height_mm", 0, 1000, path.cut_height_mm);
+    keys.number("bevel_deg", -60, 60, path.bevel_deg);
 }
 
 // {"cell": "cell.toml"}
@@ -71,7 +71,7 @@ tl::expected<DrawingRequest, engine::Error> drawing_request(const json& paramete
     KeyReader keys(parameters, "a drawing");
     keys.required_text("drawing", request.drawing);
     read_drawing_options(keys, request.reading);
-    read_cutting_paths(keys, request.ways);
+    read_cutting_paths(keys, request.cutting_path);
     read_cutting_options(keys, request.cutting);
     unpack_contours(keys, request.surface);
     read_placement(keys, request.work_cell);
@@ -79,14 +79,10 @@ tl::expected<DrawingRequest, engine::Error> drawing_request(const json& paramete
 }
 
 nlohmann::ordered_json cutting_metrics_json(const engine::CuttingMetrics& metrics) {
-    return {{"outlines", metrics.outlines},
-            {"pierces", metrics.pierces},
-            {"without_leads", metrics.without_leads},
-            {"cut_mm", metrics.cut_mm},
-            {"travel_mm", metrics.travel_mm},
-            {"cut_s", metrics.cut_s},
-            {"ways", metrics.ways},
-            {"ways_round", metrics.rerouted_moves}};
+    return {{"outlines", metrics.outlines},           {"pierces", metrics.pierces},
+            {"without_leads", metrics.without_leads}, {"cut_mm", metrics.cut_mm},
+            {"travel_mm", metrics.travel_mm},         {"cut_s", metrics.cut_s},
+            {"linking_paths", metrics.linking_paths}, {"rerouted_moves", metrics.rerouted_moves}};
 }
 
 nlohmann::ordered_json job_json(const std::optional<engine::JobMetrics>& job) {

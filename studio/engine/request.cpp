@@ -24,7 +24,7 @@ struct NumberKey {
 };
 struct SwitchKey {
     const char* key;
-    bool Request::*target;
+    bool& (*target)(Request&);
 };
 
 constexpr double kMaxPercent = 1000;
@@ -56,7 +56,7 @@ constexpr std::array kNumberKeys = {
     NumberKey{"memory_bytes", 1, kMaxCount,
               [](Request& of, double value) { of.limits.memory_bytes = static_cast<std::uint64_t>(value); }},
     NumberKey{"passes", 1, kMaxPasses,
-              [](Request& of, double value) { of.passes = static_cast<std::uint64_t>(value); }},
+              [](Request& of, double value) { of.execution.passes = static_cast<std::uint64_t>(value); }},
     NumberKey{"feed_override_percent", 0, kMaxPercent,
               [](Request& of, double value) { of.overrides.feed_percent = value; }},
     NumberKey{"rapid_override_percent", 0, kMaxPercent,
@@ -65,9 +65,11 @@ constexpr std::array kNumberKeys = {
               [](Request& of, double value) { of.overrides.spindle_percent = value; }},
 };
 constexpr std::array kSwitches = {
-    SwitchKey{"stop_at_first", &Request::stop_at_first}, SwitchKey{"collisions", &Request::collisions},
-    SwitchKey{"block_delete", &Request::block_delete}, SwitchKey{"optional_stop", &Request::optional_stop},
-    SwitchKey{"explain", &Request::explain}};
+    SwitchKey{"stop_at_first", [](Request& of) -> bool& { return of.execution.stop_at_first; }},
+    SwitchKey{"collisions", [](Request& of) -> bool& { return of.collisions; }},
+    SwitchKey{"block_delete", [](Request& of) -> bool& { return of.execution.block_delete; }},
+    SwitchKey{"optional_stop", [](Request& of) -> bool& { return of.execution.optional_stop; }},
+    SwitchKey{"explain", [](Request& of) -> bool& { return of.explain; }}};
 
 /// Returns the row of a key; null: not found.
 template <typename Rows>
@@ -97,7 +99,7 @@ Result<void> set(Request& request, const std::string& key, const nlohmann::json&
     }
     if (const SwitchKey* switch_key = find_row(kSwitches, key)) {
         if (!value.is_boolean()) return error("true or false");
-        request.*switch_key->target = value.get<bool>();
+        switch_key->target(request) = value.get<bool>();
         return {};
     }
     return Unexpected(fmt::format("unknown key '{}' of a run", key));

@@ -67,7 +67,7 @@ void send_columns(const engine::SegmentColumns& columns, std::size_t robot, cons
 }  // namespace
 
 void send_diagnostic(const engine::Diagnostic& reported, const Post& post) {
-    Message message("told");
+    Message message("diagnostic");
     message.header().update({{"severity", severity_name(reported.severity)},
                              {"code", reported.code},
                              {"file", reported.file},

@@ -45,12 +45,12 @@ tl::expected<PathRequest, engine::Error> path_request(const json& parameters) {
     keys.point("set_offset_mm", -kMaxPosition_mm, kMaxPosition_mm, request.set_offset_mm);
     keys.read_integer("tool", 0, kMaxTool, request.tool);
     keys.number("retract_mm", -kMaxPosition_mm, kMaxPosition_mm, request.retract_mm);
-    keys.number("tolerance_mm", kMinTolerance_mm, kMaxTolerance_mm, request.tolerance_mm);
-    keys.read_integer("decimals_mm", 1, kMaxDecimals, request.decimals_mm);
-    keys.boolean("inch", request.inch);
-    keys.boolean("verbose_words", request.verbose_words);
-    keys.boolean("separate_files", request.separate_files);
-    keys.boolean("go_on", request.continue_on_unknown);
+    keys.number("tolerance_mm", kMinTolerance_mm, kMaxTolerance_mm, request.format.tolerance_mm);
+    keys.read_integer("decimals_mm", 1, kMaxDecimals, request.format.decimals_mm);
+    keys.boolean("inch", request.format.inch);
+    keys.boolean("verbose_words", request.format.verbose_words);
+    keys.boolean("separate_files", request.format.separate_files);
+    keys.boolean("go_on", request.format.continue_on_unknown);
     if (offsets) request.offsets = kOffsets[*offsets];
     return finish_keys(keys).map([&] { return std::move(request); });
 }

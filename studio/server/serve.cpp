@@ -61,7 +61,7 @@ Result<ServerContent> read_server_content(const nlohmann::ordered_json& page_dat
     if (!page) return tl::unexpected(page.error());
     return ServerContent{.folder = *std::move(folder),
                          .page = *std::move(page),
-                         .page_data = page_data.at("told"),
+                         .page_data = page_data.at("page_data"),
                          .engine = page_data.at("engine").get<std::vector<std::string>>(),
                          .log = print_error};
 }

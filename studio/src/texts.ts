@@ -297,7 +297,7 @@ export const texts = {
       near: "Near misses",
       event: "Events",
     },
-    told: "Messages",
+    messages: "Messages",
     severities: { error: "Error", warning: "Warning", note: "Note" },
     more: (count: number) => `Show ${count} more`,
     blockColumns: {

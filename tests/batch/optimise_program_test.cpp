@@ -74,7 +74,7 @@ TEST_F(OptimiseProgram, FindsTheEndOfARangeAndALimit) {
     EXPECT_EQ(number("SELECT count(*) FROM report"), 2) << "of the start and the best one";
     // No faster than at 120 %.
     write("limit.toml", std::string(kOverride) +
-                            fmt::format("[[limit]]\nfigure = \"cycle_time_s\"\nleast = {}\n", slide_s(120)));
+                            fmt::format("[[limit]]\nmetric = \"cycle_time_s\"\nmin = {}\n", slide_s(120)));
     ASSERT_EQ(optimise({"limit.toml", "--json", "found.json"}).status, 0);
     EXPECT_NEAR(found()["best"]["value"], slide_s(120), 2e-3);
     EXPECT_GE(found()["best"]["value"].get<double>(), slide_s(120));
@@ -248,7 +248,7 @@ TEST_F(OptimiseProgram, WaitsForOthersAtItsResults) {
 
 TEST_F(OptimiseProgram, SaysThatNothingIsAllowed) {
     write_slide();
-    write("plan.toml", std::string(kOverride) + "[[limit]]\nfigure = \"cycle_time_s\"\nmost = 0.1\n");
+    write("plan.toml", std::string(kOverride) + "[[limit]]\nmetric = \"cycle_time_s\"\nmax = 0.1\n");
     const Ended ended = optimise({"plan.toml", "--variants", "10"});
     EXPECT_EQ(ended.status, 1);
     EXPECT_THAT(ended.out, HasSubstr("no variant is without errors"));

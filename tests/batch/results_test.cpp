@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -304,7 +305,7 @@ TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
     EXPECT_THAT(
         written_text(file_, [](Database& from,
                                const Sink& sink) { return write_csv(from, kTableColumnsQuery, sink); }),
-        HasSubstr("clearance_mm"));
+        testing::AllOf(HasSubstr("clearance_mm"), HasSubstr("process_on_mm")));
     auto results = Results::open(file_);
     ASSERT_TRUE(results) << results.error().message;
     EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, 1);
@@ -324,6 +325,34 @@ TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
     fs::remove(file_);
     upgrade_schema(file_);
     EXPECT_FALSE(fs::exists(file_)) << "nothing is made";
+}
+
+// The columns of version 2 had other names.
+TEST_F(ResultsFile, ColumnsOfTheSecondVersionGetTheirNewNames) {
+    {
+        auto old = Database::open(file_);
+        std::string version_2 = kVersion2Tables;
+        for (const char* metric : kVersion2Columns)
+            version_2 += fmt::format("ALTER TABLE run ADD COLUMN {} REAL;\n", metric);
+        ASSERT_TRUE(old->execute(std::string("BEGIN; ") + kSchema + version_2 +
+                                 "PRAGMA application_id = 1735616877; PRAGMA user_version = 2; COMMIT;"));
+        ASSERT_TRUE(old->execute(
+            "INSERT INTO run VALUES (1, 'k', 'a.nc', '1', 'm', '', 'm', 'c', '{}', '{}', 'v', '', "
+            "'completed', '', '', '', 0, 12.5, 12.25, 12.75, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0, 0, 0, NULL, "
+            "'{}', '[]', 0, NULL, NULL, NULL, NULL);"
+            "INSERT INTO batch VALUES (1, 't', 'p', 'v', '', '', 1, 1); INSERT INTO batch_run VALUES (1, 0, "
+            "1, 0)"));
+    }
+    upgrade_schema(file_);
+    auto database = Database::open(file_, true);
+    auto rows = database->prepare(
+        "SELECT cycle_time_min_s, cycle_time_max_s, process_on_mm, complete FROM latest JOIN batch");
+    ASSERT_TRUE(rows) << rows.error().message;
+    ASSERT_TRUE(rows->step().value());
+    EXPECT_EQ(rows->number(0), 12.25);
+    EXPECT_EQ(rows->number(1), 12.75);
+    EXPECT_EQ(rows->number(2), 7);
+    EXPECT_EQ(rows->integer(3), 1);
 }
 
 TEST_F(ResultsFile, OfAnotherKindIsRefused) {

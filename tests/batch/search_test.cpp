@@ -144,7 +144,7 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
 
 // The minimum of the bowl is not allowed: beyond a line a run fails, and a limit bounds a value.
 TEST_F(SearchFile, KeepsToWhatIsAllowed) {
-    const std::string text = std::string(kPlan) + "[[limit]]\nfigure = \"clearance_mm\"\nleast = 1\n";
+    const std::string text = std::string(kPlan) + "[[limit]]\nmetric = \"clearance_mm\"\nmin = 1\n";
     auto plan = read(text);
     ASSERT_TRUE(plan) << plan.error().message;
     plan->variants = 400;  // in a corner of two limits it takes smaller steps
@@ -319,6 +319,24 @@ TEST(SearchSpace, HasACoordinateForEachSettingAndEachThingOfAnOrder) {
     EXPECT_EQ(values[3].value, "rs274ngc") << "the end of the box is its last value";
 }
 
+TEST_F(SearchFile, AcceptsOldNamesOfKeysAndWarns) {
+    const std::string text = kPlan;
+    const auto old = read(text + "[[limit]]\nfigure = \"cycle_time_s\"\nleast = 1\nmost = 3\n");
+    ASSERT_TRUE(old) << old.error().message;
+    ASSERT_EQ(old->limits.size(), 1);
+    EXPECT_EQ(old->limits[0].metric, "cycle_time_s");
+    EXPECT_EQ(old->limits[0].min, 1);
+    EXPECT_EQ(old->limits[0].max, 3);
+    EXPECT_EQ(old->warnings.size(), 3);
+    std::string metric = text + "[[limit]]\nmetric = \"most_s\"\nmax = 3\n";
+    metric.replace(metric.find("cycle_time_s"), 12, "most_s");
+    const auto renamed = read(metric);
+    ASSERT_TRUE(renamed) << renamed.error().message;
+    EXPECT_EQ(renamed->objective[0].metric, "cycle_time_max_s");
+    EXPECT_EQ(renamed->limits[0].metric, "cycle_time_max_s");
+    EXPECT_EQ(renamed->warnings.size(), 2);
+}
+
 TEST_F(SearchFile, SaysWhatIsWrong) {
     const std::string text = kPlan;
     const auto without = [&](const std::string& part) {
@@ -328,11 +346,10 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
     EXPECT_THAT(rejection(without("[objective]\ncycle_time_s = 1\n")), HasSubstr("requires [objective]"));
     EXPECT_THAT(rejection(text.substr(0, text.find("[[setting]]"))), HasSubstr("requires [[setting]]"));
     const auto with = [&](const std::string& more) { return rejection(text + more); };
-    EXPECT_THAT(with("[[limit]]\nmost = 1\n"), HasSubstr("lacks the key 'figure'"));
-    EXPECT_THAT(with("[[limit]]\nfigure = \"cycle_time_s\"\n"), HasSubstr("'least', 'most' or both"));
-    EXPECT_THAT(with("[[limit]]\nfigure = \"cycle_time_s\"\nleast = 3\nmost = 1\n"),
-                HasSubstr("not be less"));
-    EXPECT_THAT(with("[[limit]]\nfigure = \"cycle\"\nmost = 1\n"), HasSubstr("'figure' must be"));
+    EXPECT_THAT(with("[[limit]]\nmax = 1\n"), HasSubstr("lacks the key 'metric'"));
+    EXPECT_THAT(with("[[limit]]\nmetric = \"cycle_time_s\"\n"), HasSubstr("'min', 'max' or both"));
+    EXPECT_THAT(with("[[limit]]\nmetric = \"cycle_time_s\"\nmin = 3\nmax = 1\n"), HasSubstr("not be less"));
+    EXPECT_THAT(with("[[limit]]\nmetric = \"cycle\"\nmax = 1\n"), HasSubstr("'metric' must be"));
     EXPECT_THAT(
         with("[[setting]]\nkey = \"machine.c\"\ndistribution = \"normal\"\nmean = 1\ndeviation = 1\n"),
         HasSubstr(

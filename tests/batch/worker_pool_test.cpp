@@ -21,7 +21,7 @@ while IFS= read -r line; do
         *sleep*) exec sleep 60 ;;
         *babble*) echo 'no row' ;;
     esac
-    echo "{\"number\":$number,\"status\":\"completed\",\"cause\":\"\",\"message\":\"\",\"file\":\"\",\"line\":0,\"machine\":\"\",\"controller\":\"\",\"cycle_time_s\":1,\"rapid_s\":0,\"feed_s\":0,\"dwell_s\":0,\"rapid_mm\":0,\"feed_mm\":0,\"jet_on_mm\":0,\"blocks\":0,\"moves\":0,\"violations\":0,\"collisions\":0,\"process_findings\":0,\"warnings\":0,\"extents\":\"{}\",\"findings\":\"[]\",\"cpu_s\":0,\"report\":\"\",\"picture\":\"\",\"picture_fault\":\"\",\"least_s\":null,\"most_s\":null,\"energy_j\":null,\"clearance_mm\":null,\"deviation_mm\":null,\"joint_speed_share\":null,\"lower_bound_s\":null,\"files\":[]}"
+    echo "{\"number\":$number,\"status\":\"completed\",\"cause\":\"\",\"message\":\"\",\"file\":\"\",\"line\":0,\"machine\":\"\",\"controller\":\"\",\"cycle_time_s\":1,\"rapid_s\":0,\"feed_s\":0,\"dwell_s\":0,\"rapid_mm\":0,\"feed_mm\":0,\"process_on_mm\":0,\"blocks\":0,\"moves\":0,\"violations\":0,\"collisions\":0,\"process_findings\":0,\"warnings\":0,\"extents\":\"{}\",\"findings\":\"[]\",\"cpu_s\":0,\"report\":\"\",\"picture\":\"\",\"picture_error\":\"\",\"cycle_time_min_s\":null,\"cycle_time_max_s\":null,\"energy_j\":null,\"clearance_mm\":null,\"deviation_mm\":null,\"joint_speed_share\":null,\"lower_bound_s\":null,\"files\":[]}"
 done
 )";
 

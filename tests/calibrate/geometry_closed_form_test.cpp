@@ -342,7 +342,7 @@ TEST(GeometryClosedForm, OutcomesTellBothWays) {
                 testing::AllOf(HasSubstr("C shift_x_mm"), HasSubstr("square X Y"), HasSubstr("noise found"),
                                HasSubstr("30 TCP positions: ")));
     EXPECT_THAT(geometry_json(fit, square),
-                testing::AllOf(HasSubstr("\"covariance\""), HasSubstr("\"held\"")));
+                testing::AllOf(HasSubstr("\"covariance\""), HasSubstr("\"fixed\"")));
     EXPECT_THAT(tcps_svg(fit),
                 testing::AllOf(HasSubstr("<svg"), HasSubstr("TCP 30<"), HasSubstr("before, um")));
     EXPECT_THAT(geometry_text(fit).value(), HasSubstr("which a machine file cannot contain"));

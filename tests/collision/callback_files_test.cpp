@@ -41,7 +41,7 @@ std::string machine_toml() {
 TEST(CallbackFiles, GiveAMachineItsControllerAndItsMeshes) {
     RecordingFiles given;
     given.bytes = {{"shop/af5.toml", machine_toml()},
-                   {"rules/own.toml", "[controller]\nrest_s = 0.25\n"},
+                   {"rules/own.toml", "[controller]\nstandstill_s = 0.25\n"},
                    {"shop/cover.obj", kTetrahedron}};
     const auto machine = machine::load_machine("shop/af5.toml", os::NameSource::in_file, given.files);
     ASSERT_TRUE(machine) << machine.error().message;

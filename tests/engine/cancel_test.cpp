@@ -63,7 +63,7 @@ TEST(Cancel, EndsARunFromItsOwnMoves) {
     run.on_moves([&](std::span<const Move>) { request.cancel.now(); });
     const Report report = run.go().value();
     EXPECT_EQ(report.status, RunStatus::stopped);
-    EXPECT_LT(report.moves, 5000U);
+    EXPECT_LT(report.counts.moves, 5000U);
 }
 
 }  // namespace

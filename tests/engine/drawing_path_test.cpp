@@ -87,7 +87,7 @@ TEST(DrawingPath, ADrawingFromMemoryBecomesAPathWithItsFigures) {
 
 TEST(DrawingPath, ItsPathGoesOnToAProgram) {
     DrawingRequest drawing = request_of_drawing("part.svg", {{"part.svg", kPart}});
-    drawing.ways.origin_mm = {500, 500, 100};
+    drawing.cutting_path.origin_mm = {500, 500, 100};
     const std::string path = path_text(result(drawing).value());
     PathRequest request;
     request.path = "part.path.json";
@@ -110,7 +110,7 @@ TEST(DrawingPath, AUnitCountsInPlaceOfTheDrawings) {
     const std::string dxf =
         "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n";
     DrawingRequest request = request_of_drawing("hole.dxf", {{"hole.dxf", dxf}});
-    request.ways.lead_mm = 0.1;
+    request.cutting_path.lead_mm = 0.1;
     request.reading.unit_mm = 1;
     const double in_mm = result(request).value().metrics().cut_mm;
     request.reading.unit_mm = kInch_mm;
@@ -300,7 +300,7 @@ TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
     flipped.reading.flip = true;
     EXPECT_THAT(rejection(flipped), HasSubstr("--up and --flip apply to flat parts, without --contours"));
     DrawingRequest bevelled = request_of_contours();
-    bevelled.ways.bevel_deg = 10;
+    bevelled.cutting_path.bevel_deg = 10;
     EXPECT_THAT(rejection(bevelled), HasSubstr("--bevel applies to flat parts"));
     DrawingRequest leaned = request_of_contours();
     leaned.surface->tilt_deg = 10;

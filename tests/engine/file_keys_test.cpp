@@ -54,7 +54,9 @@ Result<cell::Cell> cell_of(const std::string& text, std::vector<std::string>* er
 std::vector<std::string> find_errors(ConfigFileKind file, const std::string& text) {
     std::vector<std::string> errors;
     if (file == ConfigFileKind::machine) {
-        (void)machine::read_machine(text, "m.toml", files(), &errors);
+        machine::FileMessages messages;
+        (void)machine::read_machine(text, "m.toml", files(), &messages);
+        errors = std::move(messages.errors);
     } else if (file == ConfigFileKind::cell) {
         if (const auto named = cell::read_cell_files(text, "c.toml"); !named)
             errors.push_back(named.error().message);

@@ -22,7 +22,7 @@ TEST(Text, OfAStreamIsReadOnceAndRun) {
     ASSERT_TRUE(run.prepare());
     const Report report = run.go().value();
     EXPECT_EQ(report.program, "pipe");
-    EXPECT_EQ(report.moves, 1U);
+    EXPECT_EQ(report.counts.moves, 1U);
 }
 
 TEST(Text, ThatLooksLikeLuaIsAScript) {
@@ -32,7 +32,7 @@ TEST(Text, ThatLooksLikeLuaIsAScript) {
     ASSERT_TRUE(run.prepare());
     const Report report = run.go().value();
     EXPECT_EQ(report.status, RunStatus::completed);
-    EXPECT_EQ(report.rapid_mm, 7);
+    EXPECT_EQ(report.distances.rapid_mm, 7);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(PathTranslation, ItsProgramGoesTheWayOfThePath) {
     engine::Run run = engine::Run::open(make_request("p.nc", {{"p.nc", *program}})).value();
     ASSERT_TRUE(run.prepare());
     const Report report = run.go().value();
-    EXPECT_NEAR(report.feed_mm, 10, 1e-9);
+    EXPECT_NEAR(report.distances.feed_mm, 10, 1e-9);
 }
 
 std::string sample(const std::string& name) {
@@ -129,9 +129,9 @@ TEST(PathTranslation, DecimalsAreThoseThatAreAskedFor) {
         request_of_path("p.lua", {{"p.lua",
                                    "return path{name='p', point{motion='rapid', position_mm={1.23456, 2, 3}, "
                                    "tool_axis={0, 0, 1}}}\n"}});
-    request.decimals_mm = 2;
+    request.format.decimals_mm = 2;
     const std::string coarse = program_of(request).value();
-    request.decimals_mm = 4;
+    request.format.decimals_mm = 4;
     EXPECT_THAT(coarse, HasSubstr("X1.23"));
     EXPECT_THAT(coarse, testing::Not(HasSubstr("X1.234")));
     EXPECT_THAT(program_of(request).value(), HasSubstr("X1.2346"));

@@ -42,10 +42,10 @@ TEST(Run, IsTheProgramsWithoutAnyFileOfTheSystem) {
     const Report report = run_report(make_request("part.nc", {{"part.nc", kSquare}}));
     EXPECT_EQ(report.status, RunStatus::completed);
     EXPECT_TRUE(report.is_clean());
-    EXPECT_EQ(report.moves, 5U);
-    EXPECT_NEAR(report.rapid_mm, std::hypot(100, 100), 1e-9);
-    EXPECT_NEAR(report.feed_mm, 200 + std::acos(-1.0) * std::hypot(50, 50), 1e-6);
-    EXPECT_NEAR(report.dwell_s, 1, 1e-9);
+    EXPECT_EQ(report.counts.moves, 5U);
+    EXPECT_NEAR(report.distances.rapid_mm, std::hypot(100, 100), 1e-9);
+    EXPECT_NEAR(report.distances.feed_mm, 200 + std::acos(-1.0) * std::hypot(50, 50), 1e-6);
+    EXPECT_NEAR(report.times.dwell_s, 1, 1e-9);
     EXPECT_NEAR(text::parse_json<json>(report.json())["cycle_time_s"].get<double>(), report.cycle_time_s,
                 1e-9);
     EXPECT_THAT(report.text(), HasSubstr("completed"));
@@ -58,7 +58,7 @@ TEST(Run, ProgramsModulesAndMachinesComeFromTheSameFunction) {
     request.machine = "machines/own.toml";
     const Report report = run_report(request);
     EXPECT_EQ(report.status, RunStatus::completed) << report.text();
-    EXPECT_NEAR(report.feed_mm, 30, 1e-9);
+    EXPECT_NEAR(report.distances.feed_mm, 30, 1e-9);
     EXPECT_NE(report.machine, run_report(make_request("a.nc", {{"a.nc", "M2\n"}})).machine);
 }
 
@@ -118,7 +118,7 @@ TEST(Run, MovesComeInChunksInTheOrderOfTime) {
         moves.insert(moves.end(), chunk.begin(), chunk.end());
     });
     const Report report = run.go().value();
-    EXPECT_EQ(moves.size(), report.moves);
+    EXPECT_EQ(moves.size(), report.counts.moves);
     EXPECT_GT(chunks, 2U);
     for (std::size_t i = 1; i < moves.size(); ++i) {
         EXPECT_EQ(moves[i].n, moves[i - 1].n + 1);
@@ -151,7 +151,7 @@ TEST(Run, SegmentsJoinAndTellTheirMotionExactly) {
         }
     });
     const Report report = run.go().value();
-    EXPECT_NEAR(distance_mm, report.rapid_mm + report.feed_mm, 1e-3);
+    EXPECT_NEAR(distance_mm, report.distances.rapid_mm + report.distances.feed_mm, 1e-3);
     EXPECT_DOUBLE_EQ(end_s, report.cycle_time_s);
 }
 

@@ -69,8 +69,10 @@ script::Script script_of(const SmallRun& run) {
 }
 
 bool all_finite(const Report& report) {
-    const std::array values{report.cycle_time_s, report.rapid_s,  report.feed_s,  report.dwell_s,
-                            report.words_s,      report.rapid_mm, report.feed_mm, report.process_on_mm};
+    const std::array values{report.cycle_time_s,      report.times.rapid_s,
+                            report.times.feed_s,      report.times.dwell_s,
+                            report.times.words_s,     report.distances.rapid_mm,
+                            report.distances.feed_mm, report.distances.process_on_mm};
     return std::all_of(values.begin(), values.end(), [](double f) { return std::isfinite(f) && f >= 0; });
 }
 
@@ -196,13 +198,13 @@ std::optional<std::string> fault_of_report(const RunResult& result) {
     if (!nlohmann::json::accept(simulation::to_json(report))) return "the report is no JSON";
     if (simulation::to_text(report).empty()) return "the report for people is empty";
     if (!all_finite(report)) return "a figure of the report is not finite, or below 0";
-    const double parts_s = report.rapid_s + report.feed_s + report.dwell_s;
+    const double parts_s = report.times.rapid_s + report.times.feed_s + report.times.dwell_s;
     if (!(std::abs(parts_s - report.cycle_time_s) <= kTimeSlack * (1 + report.cycle_time_s)))
         return fmt::format("the cycle time is {} s, its parts are {} s", report.cycle_time_s, parts_s);
     const bool ended = report.status == RunStatus::alarm || report.status == RunStatus::stopped;
     if (ended != report.alarm.has_value()) return "the status does not go with the alarm";
     if (report.alarm && report.alarm->message.empty()) return "an alarm without a sentence";
-    if (report.alarm && report.alarm->location.file >= std::max<std::size_t>(report.files.size(), 1))
+    if (report.alarm && report.alarm->location.file >= std::max<std::size_t>(report.source.files.size(), 1))
         return "the place of the alarm is in no file";
     return fault_of_bounds(report, result.greatest_step);
 }

@@ -11,9 +11,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 TEST(PathModes, WhatTheyDoNotDoIsSaidOnce) {
-    EXPECT_EQ(run_lua("G61() G9()").report.warnings.size(), 0U);
-    EXPECT_EQ(run_lua("G62() G62()").report.warnings.size(), 1U);
-    EXPECT_EQ(run_lua("G62() G63() G64() G62() G63() G64()").report.warnings.size(), 2U);
+    EXPECT_EQ(run_lua("G61() G9()").report.messages.warnings.size(), 0U);
+    EXPECT_EQ(run_lua("G62() G62()").report.messages.warnings.size(), 1U);
+    EXPECT_EQ(run_lua("G62() G63() G64() G62() G63() G64()").report.messages.warnings.size(), 2U);
 }
 
 TEST(Spindle, OfConstantSurfaceSpeedFollowsTheRadius) {

@@ -24,8 +24,8 @@ TEST(Ab9Ramps, CurvesNeedAJerk) {
     const double straight_s = time_s("");
     EXPECT_EQ(time_s("G47.1"), straight_s);
     const Outcome r = run("G47.1\nG1 X1 F600\nM30\n");
-    ASSERT_FALSE(r.report.warnings.empty());
-    EXPECT_NE(r.report.warnings[0].find("jerk"), std::string::npos);
+    ASSERT_FALSE(r.report.messages.warnings.empty());
+    EXPECT_NE(r.report.messages.warnings[0].find("jerk"), std::string::npos);
     EXPECT_GT(time_s("G47.1\nG48.3 X1000"), straight_s + 0.1);
     EXPECT_EQ(time_s("G48.3 X1000"), straight_s) << "no S-curves are selected";
 }

@@ -63,14 +63,14 @@ TEST(Messages, AlarmAndStop) {
     expect_alarm(run_lua("\nv[3000]=101"), 2, {"alarm 101"});
     EXPECT_EQ(run_lua("v[3006]=1").events(), "stop");
     expect_alarm(run_lua("v[1]=v[3000]"), 1, {"can only be set"});
-    EXPECT_EQ(run_lua("v[3003]=1 v[3003]=0").report.warnings.size(), 1U);
+    EXPECT_EQ(run_lua("v[3003]=1 v[3003]=0").report.messages.warnings.size(), 1U);
 }
 
 TEST(Signals, InputsAreAnsweredByTheScript) {
     EXPECT_EQ(variable_value("on_input(function(kind, n) return n == 2 end)", "v[1002]*10 + v[1003]"),
               "10.0000");
     EXPECT_EQ(variable_value("on_input(function(kind, n) return n == 2 or n == 0 end)", "v[1032]"), "5.0000");
-    EXPECT_EQ(run_lua("v[1]=v[1000] v[1]=v[1001]").report.warnings.size(), 1U);
+    EXPECT_EQ(run_lua("v[1]=v[1000] v[1]=v[1001]").report.messages.warnings.size(), 1U);
     const Outcome r = run_lua("v[1103]=1 v[1132]=1 v[1]=v[1132]");
     ASSERT_EQ(r.report.events.size(), 3U);
     EXPECT_EQ(r.report.events[0].detail, "P3 on");

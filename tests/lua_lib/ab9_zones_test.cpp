@@ -189,7 +189,7 @@ TEST(Zones, ALongStretchBehindTheAlarmIsNotReported) {
     const Outcome ended = run("F6000 G22 X100 I200\nG1 X50\nM8\nX150\nM9\nX300", with_tools());
     expect_alarm(ended, 4, {"X100.0000"});
     EXPECT_EQ(ended.events(), "jet_on");
-    EXPECT_NEAR(ended.report.feed_mm, 100, 1e-6);
+    EXPECT_NEAR(ended.report.distances.feed_mm, 100, 1e-6);
 }
 
 TEST(Zones, SeeArcsThroughAPointAndMovesThroughCompensation) {

@@ -50,7 +50,7 @@ TEST(Codes, OneForOneTheyRunWhereTheyNeedNothing) {
           "M10",  "M11", "M30", "D1",  "H2",  "T3",  "S4",    "F5"}) {
         const Outcome r = run(std::string(code) + "\n");
         EXPECT_TRUE(r.completed()) << code << ": " << r.message();
-        EXPECT_LE(r.report.blocks, 1U) << code;  // G9 and G53 without a motion have no output
+        EXPECT_LE(r.report.counts.blocks, 1U) << code;  // G9 and G53 without a motion have no output
     }
 }
 

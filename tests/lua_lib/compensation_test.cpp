@@ -219,7 +219,7 @@ TEST(Ab9Compensation, LooksPastWhatIsNoMoveInThePlane) {
     for (int i = 1; i <= 21; ++i) far += fmt::format("Z{}\n", -i);
     const Outcome too_far = run_ab9(far + "Y50\nG40 X40\n");
     EXPECT_EQ(too_far.to(2, 'X'), 50);
-    EXPECT_FALSE(too_far.report.warnings.empty());
+    EXPECT_FALSE(too_far.report.messages.warnings.empty());
 }
 
 TEST(Ab9Compensation, AMirrorImageSwapsTheSides) {

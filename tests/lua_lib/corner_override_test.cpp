@@ -59,7 +59,7 @@ TEST(CornerOverride, LowersTheFeedBeforeAndBehindAnInsideCorner) {
     EXPECT_NEAR(r.seconds(3), 3 / low, 1e-9);
     EXPECT_NEAR(r.seconds(4), 5 / low, 1e-9);
     EXPECT_NEAR(r.seconds(5), 23 / kFeed_mm_s, 1e-9);
-    EXPECT_TRUE(r.report.warnings.empty());
+    EXPECT_TRUE(r.report.messages.warnings.empty());
 }
 
 TEST(CornerOverride, IsSwitchedOffByTheOtherPathModes) {
@@ -126,7 +126,7 @@ TEST(CornerOverride, OtherAxesGoInProportion) {
 
 TEST(CornerOverride, SaysWhatIsMissing) {
     const auto warning = [](const Conditions& setup) {
-        const auto warnings = run("G62\n", setup).report.warnings;
+        const auto warnings = run("G62\n", setup).report.messages.warnings;
         return warnings.empty() ? "" : warnings.front();
     };
     EXPECT_EQ(warning(conditions()), "");

@@ -166,7 +166,9 @@ class DrivenLength : public testing::TestWithParam<const char*> {
         return setup;
     }
 
-    static double driven_mm(const Outcome& run) { return run.report.rapid_mm + run.report.feed_mm; }
+    static double driven_mm(const Outcome& run) {
+        return run.report.distances.rapid_mm + run.report.distances.feed_mm;
+    }
 
     static double lost_at_most_mm(const std::vector<Way>& ways) {
         double lost = kRounding_mm;
@@ -257,7 +259,7 @@ TEST(DrivenTurns, EvenNumbersOfThemAreNoLine) {
         setup.machine = machine.value();
         const Outcome run =
             run_ngc(fmt::format("G64 P0.05\nG1 X5 F3000\nG2 X5 Y0 I0 J5 P{}\nG1 X10\nM2\n", turns), setup);
-        EXPECT_NEAR(run.report.feed_mm, 10 + 10 * std::numbers::pi * turns, 0.2) << turns;
+        EXPECT_NEAR(run.report.distances.feed_mm, 10 + 10 * std::numbers::pi * turns, 0.2) << turns;
     }
 }
 

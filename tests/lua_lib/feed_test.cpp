@@ -27,8 +27,9 @@ TEST(Feed, KeepsTheUnitItWasProgrammedIn) {
 TEST(Feed, IsCappedAtTheContourSpeedWithAWarning) {
     const Outcome r = run("G1 X1000 F30000\n");
     EXPECT_NEAR(r.seconds(0), trapezoid_s(1000, kFeed_mm_s, kAcceleration_mm_s2), 1e-9);
-    ASSERT_EQ(r.report.warnings.size(), 1U);
-    EXPECT_NE(r.report.warnings[0].find("15240"), std::string::npos) << r.report.warnings[0];
+    ASSERT_EQ(r.report.messages.warnings.size(), 1U);
+    EXPECT_NE(r.report.messages.warnings[0].find("15240"), std::string::npos)
+        << r.report.messages.warnings[0];
 }
 
 TEST(Feed, OfRotaryAxesAloneIsInDegreesPerMinute) {
@@ -55,7 +56,7 @@ TEST(Feed, InverseTime) {
 TEST(Feed, InverseTimeTooShortIsRaisedToTheLimits) {
     const Outcome r = run("G93 G1 X254 F600\n");
     EXPECT_NEAR(r.seconds(0), trapezoid_s(254, kFeed_mm_s, kAcceleration_mm_s2), 1e-9);
-    EXPECT_EQ(r.report.warnings.size(), 1U);
+    EXPECT_EQ(r.report.messages.warnings.size(), 1U);
 }
 
 TEST(Feed, InverseTimeNeedsItsOwnFInEachBlock) {
@@ -81,8 +82,8 @@ TEST(Feed, MustBeThereAndAboveZero) {
 TEST(Feed, RapidNeedsNone) {
     const Outcome r = run("G0 X1000\n");
     EXPECT_NEAR(r.seconds(0), trapezoid_s(1000, 508, kAcceleration_mm_s2), 1e-9);
-    EXPECT_NEAR(r.report.rapid_mm, 1000, 1e-9);
-    EXPECT_DOUBLE_EQ(r.report.feed_mm, 0);
+    EXPECT_NEAR(r.report.distances.rapid_mm, 1000, 1e-9);
+    EXPECT_DOUBLE_EQ(r.report.distances.feed_mm, 0);
 }
 
 TEST(Dwell, TakesSecondsOfPXOrU) {
@@ -91,7 +92,7 @@ TEST(Dwell, TakesSecondsOfPXOrU) {
     EXPECT_NEAR(r.seconds(0), 1.5, 1e-9);
     EXPECT_NEAR(r.seconds(1), 2, 1e-9);
     EXPECT_NEAR(r.seconds(2), 5, 1e-9);
-    EXPECT_NEAR(r.report.dwell_s, 8.75, 1e-9);
+    EXPECT_NEAR(r.report.times.dwell_s, 8.75, 1e-9);
     EXPECT_NEAR(r.report.cycle_time_s, 8.75, 1e-9);
     expect_end(r, 0, 0, 0);
 }
@@ -112,7 +113,7 @@ TEST(Switches, AreEventsAtTheirTimes) {
 
 TEST(Switches, LengthWithTheJetOn) {
     const Outcome r = run("F6000 G1 X100\nM8\nX130 Y40\nG3 X120 Y50 I-10\nM9\nX300\nG0 X0\n");
-    EXPECT_NEAR(r.report.process_on_mm, 50 + 5 * kPi, 1e-9);
+    EXPECT_NEAR(r.report.distances.process_on_mm, 50 + 5 * kPi, 1e-9);
     EXPECT_FALSE(r.moves[0].info.process_on);
     EXPECT_TRUE(r.moves[2].info.process_on);
 }
@@ -120,7 +121,7 @@ TEST(Switches, LengthWithTheJetOn) {
 TEST(Switches, CuttingModeWarnsOfItsTime) {
     const Outcome r = run("G64\nG64\nG61\nG9 G1 X1 F100\n");
     EXPECT_TRUE(r.completed()) << r.message();
-    EXPECT_EQ(r.report.warnings.size(), 1U);
+    EXPECT_EQ(r.report.messages.warnings.size(), 1U);
 }
 
 TEST(Home, G28GoesByThePointOnTheWayAndG29BackByIt) {

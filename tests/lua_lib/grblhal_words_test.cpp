@@ -50,8 +50,8 @@ TEST(GrblHalCycles, BoringIsReadAndNotMade) {
     const Outcome r = run_on("grblhal-router.toml", "G0 Z5\nM3 S100\nG99 G85 X10 Y10 Z-6 R2 F600\nX30\nG80");
     ASSERT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.moves.size(), 1U);
-    ASSERT_FALSE(r.report.warnings.empty());
-    EXPECT_NE(r.report.warnings.front().find("G85"), std::string::npos);
+    ASSERT_FALSE(r.report.messages.warnings.empty());
+    EXPECT_NE(r.report.messages.warnings.front().find("G85"), std::string::npos);
 }
 
 TEST(GrblHalSplines, AreChordsWhoseMiddlesAreWithinATenth) {

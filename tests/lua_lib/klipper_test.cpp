@@ -78,7 +78,7 @@ TEST(KlipperLimits, HoldForTheLinesBehindThem) {
 TEST(KlipperLimits, M204NeedsBothOfPAndT) {
     const Outcome outcome = klipper("M204 P500\nG1 X100 F6000\n");
     EXPECT_NEAR(outcome.report.cycle_time_s, 1.1, kEqualTolerance);
-    EXPECT_EQ(outcome.report.warnings.size(), 1u);
+    EXPECT_EQ(outcome.report.messages.warnings.size(), 1u);
 }
 
 TEST(KlipperArcs, AreChordsOfTheResolution) {
@@ -109,7 +109,7 @@ TEST(KlipperArcs, WithoutAResolutionTheyHaveNoEffect) {
     const Outcome outcome = klipper("G1 X10 F6000\nG3 X-10 I-10\nG1 Y5\n", "fast-noarcs");
     ASSERT_TRUE(outcome.completed()) << outcome.message();
     EXPECT_EQ(outcome.moves.size(), 2u);
-    EXPECT_EQ(outcome.report.warnings.size(), 1u);
+    EXPECT_EQ(outcome.report.messages.warnings.size(), 1u);
 }
 
 TEST(KlipperExtruder, EWithoutAnExtruderEndsTheProgram) {

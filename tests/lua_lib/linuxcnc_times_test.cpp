@@ -80,7 +80,7 @@ double feed_mm(const std::string& feed) {
                         .value();
     const Outcome run = run_ngc("G21 G90 G17 G64 M3 S1000\n" + feed + "G1 X40\nY40\nX0\nM2\n", setup);
     EXPECT_TRUE(run.completed()) << run.message();
-    return run.report.feed_mm;
+    return run.report.distances.feed_mm;
 }
 
 /// The speed that the spindle will require is not known, so that corners are rounded for the limits of the

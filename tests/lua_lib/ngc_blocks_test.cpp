@@ -99,8 +99,8 @@ TEST(NgcCompensation, IsToldByItsSideAlone) {
 TEST(NgcCompensation, PassesOverG923) {
     const Outcome r = run_ngc("G92 X5\nG92.2\n" + kBeside + "G92.3\nX30\nG40\nX0\nM2\n");
     EXPECT_NEAR(last_x(r), 0, 1e-9) << "the offset is not in force";
-    ASSERT_FALSE(r.report.warnings.empty());
-    EXPECT_NE(r.report.warnings.back().find("G92.3"), std::string::npos);
+    ASSERT_FALSE(r.report.messages.warnings.empty());
+    EXPECT_NE(r.report.messages.warnings.back().find("G92.3"), std::string::npos);
 }
 
 TEST(NgcComputedCodes, DoWhatTheWrittenOnesDo) {

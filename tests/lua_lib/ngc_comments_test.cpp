@@ -39,10 +39,10 @@ TEST(NgcPython, IsRefusedByNameWhereItWouldRun) {
 TEST(NgcPython, ReloadIsReportedOnce) {
     const Outcome r = run_ngc("(pyreload)\nG0 X1\n(pyreload)\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
-    ASSERT_EQ(r.report.warnings.size(), 1U);
-    EXPECT_NE(r.report.warnings[0].find("(pyreload) has no effect: Python is not supported"),
+    ASSERT_EQ(r.report.messages.warnings.size(), 1U);
+    EXPECT_NE(r.report.messages.warnings[0].find("(pyreload) has no effect: Python is not supported"),
               std::string::npos)
-        << r.report.warnings[0];
+        << r.report.messages.warnings[0];
 }
 
 }  // namespace

@@ -272,7 +272,7 @@ TEST(NgcModes, SurfaceSpeedAtX0WithoutALimitIsNoAlarm) {
     const Outcome r = run_ngc("G21\nG96 S100 M3\nG0 X10\nM2\n");
     EXPECT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.moves.size(), 1U);
-    const auto& warnings = r.report.warnings;
+    const auto& warnings = r.report.messages.warnings;
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
         return warning.find("G96 at X0: the speed has no maximum and is set to 0") != std::string::npos;
     }));

@@ -85,7 +85,7 @@ TEST(OverrideLocks, OfThe9SeriesByWord) {
 TEST(OverrideLocks, InverseTimeIsScaledToo) {
     EXPECT_NEAR(run_linuxcnc("G21 G90 G93\nG1 X100 F6\nM2\n").seconds(0), 20, 1e-9);
     EXPECT_NEAR(run_ab9("G93\nG1 X100 F6\n").seconds(0), 20, 1e-9);
-    EXPECT_TRUE(run_linuxcnc("G21 G90 G93\nG1 X100 F6\nM2\n").report.warnings.empty());
+    EXPECT_TRUE(run_linuxcnc("G21 G90 G93\nG1 X100 F6\nM2\n").report.messages.warnings.empty());
 }
 
 // In step with the spindle: its override makes them slower, that of the feed does not.

@@ -66,7 +66,7 @@ TEST(Points, WhereXIsADiameter) {
 TEST(Points, AFeedMoveGoesThereInALine) {
     const Outcome r = run_ab9("F(6000) G53() G1(reference(2))");
     expect_end(r, 100, 200, 50);
-    EXPECT_NEAR(r.report.feed_mm, std::sqrt(100.0 * 100 + 200 * 200 + 50 * 50), 1e-9);
+    EXPECT_NEAR(r.report.distances.feed_mm, std::sqrt(100.0 * 100 + 200 * 200 + 50 * 50), 1e-9);
 }
 
 TEST(Points, TheTableIsTheScripts) {

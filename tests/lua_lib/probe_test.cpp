@@ -85,7 +85,7 @@ TEST(Probe, TouchesAtItsTargetWhereNothingIsSaid) {
     EXPECT_NEAR(r.to(3, 'Z'), 5, 1e-9);
     EXPECT_NEAR(r.to(4, 'Y'), 1, 1e-9);
     EXPECT_EQ(
-        r.report.warnings,
+        r.report.messages.warnings,
         std::vector<std::string>{
             "probes touch at their targets, because nothing defines their contact: use a cell (--cell), a "
             "plane (--probe z=-3.2), or a script (on_probe); with --probe none they never touch"});
@@ -156,7 +156,7 @@ TEST(Probe, NothingFoundIsAnAlarmAsOnTheControl) {
         "#5070)\nM2\n",
         nothing);
     EXPECT_EQ(debug_texts(r), "-20.0 0.0\n0.0 0.0\n");
-    EXPECT_TRUE(r.report.warnings.empty());
+    EXPECT_TRUE(r.report.messages.warnings.empty());
 }
 
 TEST(Probe, TheMachineComesToRestBeforeIt) {

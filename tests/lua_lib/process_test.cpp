@@ -41,8 +41,8 @@ TEST(Process, ItsWordsAreThoseOfTheMachineFile) {
     const Outcome run = script::run(program, with_process(ProcessKind::laser, {{62, {{'P', 0}}}, {101, {}}},
                                                           {{63, {{'P', 0}}}, {102, {}}}));
     ASSERT_TRUE(run.completed()) << run.message();
-    EXPECT_NEAR(run.report.process_on_mm, 10 + 30, 1e-9);
-    EXPECT_EQ(run.report.process, "laser");
+    EXPECT_NEAR(run.report.distances.process_on_mm, 10 + 30, 1e-9);
+    EXPECT_EQ(run.report.source.process, "laser");
     EXPECT_EQ(run.events(), "laser_on laser_off laser_on laser_off digital_output flood_on");
     EXPECT_EQ(run.report.events[0].detail, "M62 P0");
 }
@@ -50,7 +50,7 @@ TEST(Process, ItsWordsAreThoseOfTheMachineFile) {
 TEST(Process, TheSameWordInEachDialect) {
     for (const char* dialect : {"ab9", "rs274ngc"}) {
         const Outcome run = script::run("G21\nM8\nG1 X10 F6000\nM9\nG0 X30\nM30\n", jet(dialect));
-        EXPECT_NEAR(run.report.process_on_mm, 10, 1e-9) << dialect;
+        EXPECT_NEAR(run.report.distances.process_on_mm, 10, 1e-9) << dialect;
         EXPECT_EQ(run.events(), "jet_on jet_off") << dialect;
         EXPECT_EQ(findings(run), "") << dialect;
     }
@@ -71,8 +71,8 @@ TEST(Process, AUserCodeSwitchesAndDoesWhatItIsDefinedTo) {
     const Outcome run = run_lua(
         "M[101] = function(words) G4{p=words.q} end F(6000)\nM[101]{q=1} G1{x=10} M[102]() G1{x=20}", setup);
     ASSERT_TRUE(run.completed()) << run.message();
-    EXPECT_NEAR(run.report.dwell_s, 1, 1e-9);
-    EXPECT_NEAR(run.report.process_on_mm, 10, 1e-9);
+    EXPECT_NEAR(run.report.times.dwell_s, 1, 1e-9);
+    EXPECT_NEAR(run.report.distances.process_on_mm, 10, 1e-9);
     EXPECT_EQ(run.events(), "plasma_on plasma_off");
 }
 
@@ -80,7 +80,7 @@ TEST(Process, WhatTheSpindleDoesInCyclesAndToolChanges) {
     const Outcome run =
         script::run("G21 F600 M3 S100\nG1 X10\nM6\nG1 X20\nM4\nG1 X30\nM19\nG1 X40\nM2\n", mill());
     ASSERT_TRUE(run.completed()) << run.message();
-    EXPECT_NEAR(run.report.process_on_mm, 20, 1e-9);
+    EXPECT_NEAR(run.report.distances.process_on_mm, 20, 1e-9);
     EXPECT_EQ(run.report.events[0].kind, "spindle_cw");
     EXPECT_EQ(findings(run), "4:feed-with-spindle-off 8:feed-with-spindle-off ");
 }
@@ -149,7 +149,7 @@ TEST(Process, WithoutATableM8OfTheNineSeriesIsAJetAndNothingIsLookedFor) {
     Conditions setup;
     setup.machine.process.reset();
     const Outcome run = script::run("M8\nG1 X10 F6000\nG0 X20\nM30\n", setup);
-    EXPECT_NEAR(run.report.process_on_mm, 10, 1e-9);
+    EXPECT_NEAR(run.report.distances.process_on_mm, 10, 1e-9);
     EXPECT_EQ(findings(run), "");
 }
 

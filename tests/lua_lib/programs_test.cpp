@@ -101,7 +101,7 @@ TEST(Programs, OneIsFoundBesideTheFile) {
     const Outcome r = run("O1\nM98 P7\nM98 P7\nM98 P8\nM2\n", setup);
     expect_alarm(r, 4, {"it is broken"});
     ASSERT_EQ(r.moves.size(), 1U);
-    EXPECT_EQ(r.report.files[r.moves[0].info.location.file], "O0007.nc");
+    EXPECT_EQ(r.report.source.files[r.moves[0].info.location.file], "O0007.nc");
     EXPECT_EQ(r.moves[0].info.location.line, 1U);
     expect_alarm(run("O1\nM98 P9\nM2\n", setup), 2, {"O9"});
 }
@@ -176,7 +176,7 @@ TEST(Programs, PassesEndAtTheLimitsOfTheRun) {
     setup.limits.max_blocks = 100;
     const Outcome blocks = run("G0 X100\nX0\nM99\n", setup);
     expect_stopped(blocks, "--max-blocks");
-    EXPECT_EQ(blocks.report.blocks, 100U);
+    EXPECT_EQ(blocks.report.counts.blocks, 100U);
 }
 
 TEST(Programs, ALoopWithoutMotionEndsByItsSteps) {
@@ -207,8 +207,8 @@ TEST(Programs, OptionalStopIsAnEventEitherWay) {
 }
 
 TEST(Programs, BlocksAreCountedOnce) {
-    EXPECT_EQ(run("G17 G21 G90 G0 X1 F100\n\n(nothing)\nX2\n#1=2\nM2\n").report.blocks, 3U);
-    EXPECT_EQ(run("O1\nM98 P2 L5\nM2\nO2\nG91 G0 X1\nM99\n").report.blocks, 12U);
+    EXPECT_EQ(run("G17 G21 G90 G0 X1 F100\n\n(nothing)\nX2\n#1=2\nM2\n").report.counts.blocks, 3U);
+    EXPECT_EQ(run("O1\nM98 P2 L5\nM2\nO2\nG91 G0 X1\nM99\n").report.counts.blocks, 12U);
 }
 
 TEST(Places, AnAlarmOfAnExpressionIsOfItsOwnLine) {

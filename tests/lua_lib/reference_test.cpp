@@ -32,8 +32,8 @@ TEST(Reference, TheWheelOnTheCalibratedMachine) {
         const Outcome r = run(read_file_text(kSource / "samples/wheel.nc"), setup);
         ASSERT_TRUE(r.completed()) << r.message();
         EXPECT_NEAR(r.report.cycle_time_s, time_s, time_s * 0.0005);
-        EXPECT_NEAR(r.report.feed_mm + r.report.rapid_mm, 4525.35, 0.02);
-        EXPECT_DOUBLE_EQ(r.report.rapid_mm, 0);
+        EXPECT_NEAR(r.report.distances.feed_mm + r.report.distances.rapid_mm, 4525.35, 0.02);
+        EXPECT_DOUBLE_EQ(r.report.distances.rapid_mm, 0);
     }
 }
 
@@ -47,7 +47,7 @@ TEST(Reference, AppendixJAsWritten) {
         setup.machine.controller.coordination.independent_ramps = independent_ramps;
         const Outcome r = run(read_file_text(path), setup);
         ASSERT_TRUE(r.completed()) << r.message();
-        EXPECT_NEAR(r.report.feed_mm, 6752.81, 0.02);
+        EXPECT_NEAR(r.report.distances.feed_mm, 6752.81, 0.02);
         EXPECT_NEAR(r.report.cycle_time_s, time_s, time_s * 0.0005);
     }
 }

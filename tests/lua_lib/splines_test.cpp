@@ -103,7 +103,7 @@ TEST(Splines, OddOnesLeadToTheirEnd) {
         ASSERT_TRUE(r.completed()) << spline << ": " << r.message();
         const rrs::JointPos end = r.segments.back().end_position();
         EXPECT_NEAR(end[0], r.to(r.moves.size() - 1, 'X'), 1e-9) << spline;
-        EXPECT_GE(r.report.feed_mm, end.norm() - 1e-9) << spline;
+        EXPECT_GE(r.report.distances.feed_mm, end.norm() - 1e-9) << spline;
         for (const Point& at : driven(r)) EXPECT_LT(std::hypot(at[0], at[1]), 12) << spline;
     }
 }

@@ -62,8 +62,8 @@ TEST(ToolsNgc, NumbersThatTheTableDoesNotKnow) {
 TEST(ToolsNgc, WithoutATableLengthsAreNoneAndSaidSo) {
     const Outcome r = run_rs274("T(1) M6() G43() G0{z=5}", {});
     expect_end(r, 0, 0, 5);
-    ASSERT_EQ(r.report.warnings.size(), 1U);
-    EXPECT_NE(r.report.warnings[0].find("section TOOL"), std::string::npos);
+    ASSERT_EQ(r.report.messages.warnings.size(), 1U);
+    EXPECT_NE(r.report.messages.warnings[0].find("section TOOL"), std::string::npos);
     expect_alarm(run_rs274("T(1) M6() G41{d=1} G1{x=10}", {}), "section TOOL");
 }
 

@@ -21,9 +21,11 @@ double taken_s(const std::string& word, const WordTimes& times, const char* dial
     const Outcome timed = run(before + word + "\n" + behind, with_times(times, dialect));
     const Outcome bare = run(before + behind, with_times({}, dialect));
     EXPECT_TRUE(timed.completed()) << timed.message();
-    EXPECT_NEAR(timed.report.words_s, timed.report.cycle_time_s - bare.report.cycle_time_s, 1e-9) << word;
-    EXPECT_NEAR(timed.report.dwell_s - bare.report.dwell_s, timed.report.words_s, 1e-9) << word;
-    return timed.report.words_s;
+    EXPECT_NEAR(timed.report.times.words_s, timed.report.cycle_time_s - bare.report.cycle_time_s, 1e-9)
+        << word;
+    EXPECT_NEAR(timed.report.times.dwell_s - bare.report.times.dwell_s, timed.report.times.words_s, 1e-9)
+        << word;
+    return timed.report.times.words_s;
 }
 
 const WordTimes kTimes{.tool_change_s = 8,
@@ -82,15 +84,16 @@ TEST(WordTimes, OfTheProcess) {
         "X60\nM8\nM2\n",
         laser);
     ASSERT_TRUE(run.completed()) << run.message();
-    EXPECT_NEAR(run.report.words_s, 0.3 + 0.2 + 0.3 + 0.75 + 0.5, 1e-12);
+    EXPECT_NEAR(run.report.times.words_s, 0.3 + 0.2 + 0.3 + 0.75 + 0.5, 1e-12);
     EXPECT_EQ(run.events(), "laser_on laser_off digital_output laser_on laser_off flood_on");
 }
 
 // Recordings that begin with the first move leave these times out.
 TEST(WordTimes, MayCountFromTheFirstMoveOn) {
     const std::string program = "G21 T1 M6\nG1 X10 F6000\nT2 M6\nG1 X20\nM2\n";
-    EXPECT_EQ(run(program, with_times({.tool_change_s = 8})).report.words_s, 16);
-    EXPECT_EQ(run(program, with_times({.tool_change_s = 8, .before_first_move = false})).report.words_s, 8);
+    EXPECT_EQ(run(program, with_times({.tool_change_s = 8})).report.times.words_s, 16);
+    EXPECT_EQ(run(program, with_times({.tool_change_s = 8, .before_first_move = false})).report.times.words_s,
+              8);
 }
 
 TEST(WordTimes, AreSaidInTheReport) {

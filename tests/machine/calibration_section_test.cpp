@@ -40,7 +40,7 @@ std::string parameter_id(const std::string& of, const std::string& key, const st
 }
 
 TEST(CalibrationSection, IsReadAndPrintedBack) {
-    const auto machine = read_machine(with("[calibration]\nruns = 12\nleft_percent = 0.25\n" +
+    const auto machine = read_machine(with("[calibration]\nruns = 12\nresidual_percent = 0.25\n" +
                                            parameter_id("X", "max_acceleration_mm_s2", "[4, 1]") +
                                            parameter_id("controller", "speed_step_s", "[1, 9]")),
                                       "m.toml");

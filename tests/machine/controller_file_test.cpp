@@ -88,12 +88,13 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "square_corner_velocity_mm_s = 6\nminimum_cruise_ratio = 0.25\nretract_length_mm = 1.5\n"
         "retract_speed_mm_s = 30\nunretract_extra_length_mm = 0.125\nunretract_speed_mm_s = 25\n"
         "inverse_time_of_chords = "
-        "true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
+        "true\nmin_feed_mm_min = 3\nsettle_s = 4\n"
         "path_measure = \"all-axes\"\nfeed_measure = \"all-axes\"\nramp_step_s = 0.25\n"
         "spline_chord_tolerance_mm = 0.5\npeck_clearance_mm = 1.5\npeck_dwell_s = 2.5\n"
         "pecks_feed_down = true\nboring_cycles = false\n"
         "blend_tolerance_mm = 9\nblend_tolerance_deg = 10\nposition_gain_1_s = 11\nin_position_mm = 12\n"
-        "in_position_deg = 13\nrest_s = 5\ndwell_step_s = 6\nservo_period_s = 8\ncorner_override_percent = "
+        "in_position_deg = 13\nstandstill_s = 5\ndwell_step_s = 6\nservo_period_s = "
+        "8\ncorner_override_percent = "
         "60\n"
         "corner_override_before_mm = 9\ncorner_override_after_mm = 10\ncorner_override_angle_deg = 120\n"
         "stops = { \"M1\" = \"never\", \"S\" = \"on-change\" }\n"
@@ -196,11 +197,12 @@ TEST(ControllerFile, OrientationAlongGreatCirclesNeedsAHeadAndAPlannerThatCan) {
 }
 
 TEST(ControllerFile, OwnRampsAreOfThePlannerThatStopsAtEachTarget) {
-    EXPECT_TRUE(read_rules("own_ramps = true").coordination.independent_ramps);
-    EXPECT_TRUE(read_rules("model = \"exact-stop\"\nown_ramps = true").coordination.independent_ramps);
-    EXPECT_THAT(error_of("model = \"ab9\"\nown_ramps = true"),
+    EXPECT_TRUE(read_rules("independent_ramps = true").coordination.independent_ramps);
+    EXPECT_TRUE(
+        read_rules("model = \"exact-stop\"\nindependent_ramps = true").coordination.independent_ramps);
+    EXPECT_THAT(error_of("model = \"ab9\"\nindependent_ramps = true"),
                 testing::AllOf(testing::HasSubstr("m.toml:3:"),
-                               testing::HasSubstr("'own_ramps' needs the planner \"rest-to-rest\"")));
+                               testing::HasSubstr("'independent_ramps' needs the planner \"rest-to-rest\"")));
 }
 
 TEST(ControllerFile, APercentageIsAboveZeroAndAtMostAHundred) {
@@ -229,8 +231,8 @@ TEST(ControllerFile, PrintsTheModelAndWhatDiffersFromIt) {
 }
 
 TEST_F(OwnFile, IsFoundBesideTheMachineFile) {
-    write("own.toml", "[controller]\nmodel = \"ab9\"\nsettle_s = 0.5\nrest_s = 0.25\n");
-    write("machine.toml", with_controller("model = \"own.toml\"\nrest_s = 0.75"));
+    write("own.toml", "[controller]\nmodel = \"ab9\"\nsettle_s = 0.5\nstandstill_s = 0.25\n");
+    write("machine.toml", with_controller("model = \"own.toml\"\nstandstill_s = 0.75"));
     ControllerRules expected_value = built_in_controller("ab9").value();
     expected_value.model = "own.toml";
     expected_value.position_loop.settle_s = 0.5;
@@ -300,7 +302,8 @@ TEST(ControllerFile, WrongTypes) {
               "m.toml:4:21: 'exact_path_corner' must be \"stop\", \"velocity-step\", \"junction-deviation\", "
               "\"parabolic-blend\" or \"smooth-blend\"");
     EXPECT_EQ(error_of("limit_jerk = 1"), "m.toml:4:14: 'limit_jerk' must be true or false, not a number");
-    EXPECT_EQ(error_of("rest_s = true"), "m.toml:4:10: 'rest_s' must be a number, not true or false");
+    EXPECT_EQ(error_of("standstill_s = true"),
+              "m.toml:4:10: 'standstill_s' must be a number, not true or false");
     EXPECT_EQ(error_of("name = 4"), "m.toml:4:8: 'name' must be a string, not a number");
     EXPECT_EQ(read_machine("controller = 4\n[machine]\nname = \"m\"\n", "m.toml").error().message,
               "m.toml:1:14: 'controller' must be a table, not a number");
@@ -321,7 +324,7 @@ TEST(ControllerFile, ValuesOutOfRange) {
                       value);
     }
     for (const std::string key : {"junction_deviation_mm", "blend_tolerance_mm", "blend_tolerance_deg",
-                                  "least_feed_mm_min", "settle_s", "rest_s"}) {
+                                  "min_feed_mm_min", "settle_s", "standstill_s"}) {
         const std::string location = fmt::format("m.toml:4:{}: '{}' must be ", key.size() + 4, key);
         EXPECT_EQ(error_of(key + " = -1"), location + "0 or greater, not -1");
         EXPECT_EQ(error_of(key + " = inf"), location + "finite, not inf");
@@ -346,7 +349,7 @@ TEST(ControllerFile, HoldsOneTable) {
     EXPECT_EQ(file_error_of("[machine]\nname = \"m\"\n"),
               "c.toml:1:2: unknown key 'machine' in a controller file; known keys: controller");
     EXPECT_EQ(file_error_of("[controller]\nrest = 1\n"),
-              "c.toml:2:1: unknown key 'rest' in [controller]; did you mean 'rest_s'?");
+              "c.toml:2:1: unknown key 'rest' in [controller]; did you mean 'standstill_s'?");
     EXPECT_EQ(file_error_of("[controller\n").substr(0, 9), "c.toml:1:");
 }
 

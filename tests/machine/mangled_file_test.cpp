@@ -71,10 +71,10 @@ TEST(MangledFile, ControllerOfAMachineFile) {
         "planner = \"look-ahead\"\nlook_ahead_blocks = 20\ncorner = \"velocity-step\"\n"
         "exact_path_corner = \"stop\"\njunction_deviation_mm = 0.02\nspeed_step_s = 0.01\n"
         "stop_between_rapid_and_feed = true\nlimit_jerk = true\ncentripetal_share = 0.5\n"
-        "arc_chord_tolerance_mm = 0.01\ninverse_time_of_chords = false\nleast_feed_mm_min = 2\nsettle_s = "
+        "arc_chord_tolerance_mm = 0.01\ninverse_time_of_chords = false\nmin_feed_mm_min = 2\nsettle_s = "
         "0.1\n"
         "blend_tolerance_mm = 0.1\nblend_tolerance_deg = 1\nposition_gain_1_s = 30\nin_position_mm = 0.01\n"
-        "in_position_deg = 0.02\nrest_s = 0.2\ndwell_step_s = 0.5\nservo_period_s = 0.001\n"
+        "in_position_deg = 0.02\nstandstill_s = 0.2\ndwell_step_s = 0.5\nservo_period_s = 0.001\n"
         "corner_override_percent = 50\ncorner_override_before_mm = 1\ncorner_override_after_mm = 2\n"
         "corner_override_angle_deg = 91\n"
         "[[axis]]\nletter = \"X\"\nkind = \"linear\"\nmax_jerk_mm_s3 = 5\nstep_mm = 0.1\ndh = {}\n";

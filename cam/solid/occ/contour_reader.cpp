@@ -59,7 +59,7 @@ class ContourReader {
                     fmt::format("it has no face with the number, name, layer or colour '{}'", face));
         }
         if (auto error = edges_.find_error()) return Unexpected(*std::move(error));
-        record_standstill(bodies);
+        add_skipped_notes(bodies);
         if (found_.contours.empty()) return Unexpected(nothing_found_message());
         return std::move(found_);
     }
@@ -147,7 +147,7 @@ class ContourReader {
         return normal && sense * normal->Coord(options_.side.back() - 'x' + 1) > kMinFacing;
     }
 
-    void record_standstill(const Bodies& bodies) {
+    void add_skipped_notes(const Bodies& bodies) {
         for (const std::string& message : skipped_) found_.notes.push_back(message + "; it is not cut");
         if (other_side_count_ > 0) {
             found_.notes.push_back(

@@ -40,14 +40,14 @@ std::vector<CurveSample> curve_samples(std::span<const TopoDS_Edge> edges) {
 
 // Returns the normal of the plane with the least sum of squares of distances; along Z if several planes fit.
 gp_Dir normal_of(const std::vector<CurveSample>& samples, const Eigen::Vector3d& middle) {
-    Eigen::Matrix3d standard_deviation = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
     for (const CurveSample& probe : samples) {
         const Eigen::Vector3d offset =
             Eigen::Vector3d(probe.point.X(), probe.point.Y(), probe.point.Z()) - middle;
-        standard_deviation += offset * offset.transpose();
+        scatter += offset * offset.transpose();
     }
-    if (standard_deviation(2, 2) <= kHeightTolerance_mm * kHeightTolerance_mm) return {0, 0, 1};
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(standard_deviation);
+    if (scatter(2, 2) <= kHeightTolerance_mm * kHeightTolerance_mm) return {0, 0, 1};
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
     Eigen::Vector3d normal = solver.eigenvectors().col(0);
     constexpr double kEqualTolerance = 1e-9;
     const double sign = std::abs(normal.z()) > kEqualTolerance

@@ -69,7 +69,8 @@ tl::expected<CuttingCell, Error> CuttingCell::read(const Host& host, const Cutti
     auto bodies = cell::CollisionChecker::make(*parts.bodies, parts.input.machine);
     if (!bodies) return failed(bodies.error().message);
     motion::PlannerSetup setup = simulation::make_planner_setup(parts.input.machine);
-    std::vector<std::string> notes = parts.input.notes;
+    std::vector<std::string> notes = parts.input.warnings;
+    notes.insert(notes.end(), parts.input.notes.begin(), parts.input.notes.end());
     if (bodies->pair_count() == 0)
         notes.push_back(
             "machine and cell have no bodies that can touch each other: linking moves between cuts are "
@@ -89,7 +90,7 @@ Result<void> CuttingCell::avoid_collisions(cutting::Autopath& autopath_result,
                                       linking::has_orientations(autopath_result.program));
     const auto linking = linking::avoid_collisions(autopath_result.program, space, parts_->space.home());
     if (!linking) return tl::unexpected(linking_error_message(autopath_result, linking.error()));
-    if (parts_->bodies.pair_count() > 0) metrics.ways = linking->ways;
+    if (parts_->bodies.pair_count() > 0) metrics.linking_paths = linking->linking_paths;
     metrics.rerouted_moves = linking->changed;
     if (linking->errors.empty()) return {};
     std::string sentences;

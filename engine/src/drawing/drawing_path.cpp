@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/os/files.h"
 #include "cam/cutting/autopath.h"
 #include "cam/waterjet/job_report.h"
 #include "engine/src/conversions.h"
@@ -27,11 +28,11 @@ namespace {
 cutting::AutopathOptions make_options(const DrawingRequest& request) {
     cutting::AutopathOptions options;
     options.gap_mm = request.reading.gap_mm;
-    options.lead_mm = request.ways.lead_mm;
+    options.lead_mm = request.cutting_path.lead_mm;
     options.program.name = std::filesystem::path(request.drawing).stem().string();
-    options.program.heights = {request.ways.safe_height_mm, request.ways.cut_height_mm};
-    options.program.origin_mm = request.ways.origin_mm;
-    options.program.bevel_deg = request.ways.bevel_deg;
+    options.program.heights = {request.cutting_path.safe_height_mm, request.cutting_path.cut_height_mm};
+    options.program.origin_mm = request.cutting_path.origin_mm;
+    options.program.bevel_deg = request.cutting_path.bevel_deg;
     return options;
 }
 
@@ -264,9 +265,9 @@ std::string DrawingPath::summary() const {
     std::string message =
         fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts",
                     metrics.outlines, metrics.pierces, metrics.cut_mm, metrics.cut_s, metrics.travel_mm);
-    if (metrics.ways == 0) return message;
+    if (metrics.linking_paths == 0) return message;
     return message + fmt::format("; there are no collisions, and {} of {} linking moves were rerouted",
-                                 metrics.rerouted_moves, metrics.ways);
+                                 metrics.rerouted_moves, metrics.linking_paths);
 }
 
 std::optional<JobMetrics> DrawingPath::job() const {

@@ -90,7 +90,7 @@ std::optional<gsim::Error> find_contour_option_error(const DrawingRequest& reque
     if (reading.flip || !reading.up.empty()) return "--up and --flip apply to flat parts, without --contours";
     if (reading.unit_mm != 0 || !reading.layers.empty())
         return "--unit and --layer apply to drawings; a STEP or IGES file defines its unit";
-    if (std::abs(request.ways.bevel_deg) > 0)
+    if (std::abs(request.cutting_path.bevel_deg) > 0)
         return "--bevel applies to flat parts; with --contours the jet follows the walls, or is tilted by "
                "--tilt-angle";
     const SurfaceCuttingOptions& surface = *request.surface;
@@ -145,10 +145,10 @@ surface::SurfaceOptions surface_options(const DrawingRequest& request) {
     options.jet = {selection.contours.along_walls, selection.tilt_deg, selection.lead_angle_deg,
                    selection.max_tilt_deg};
     options.tolerance_mm = request.reading.curve_tolerance_mm;
-    options.lead_mm = request.ways.lead_mm;
-    options.safe_height_mm = request.ways.safe_height_mm;
-    options.cut_height_mm = request.ways.cut_height_mm;
-    options.origin_mm = surface::to_vector(request.ways.origin_mm);
+    options.lead_mm = request.cutting_path.lead_mm;
+    options.safe_height_mm = request.cutting_path.safe_height_mm;
+    options.cut_height_mm = request.cutting_path.cut_height_mm;
+    options.origin_mm = surface::to_vector(request.cutting_path.origin_mm);
     options.bridges = {selection.bridges, selection.bridge_mm};
     if (selection.start_mm) options.start_mm = surface::to_vector(*selection.start_mm);
     return options;

@@ -4,7 +4,11 @@
 #include <cstddef>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/text/format.h"
 #include "base/text/json.h"
+#include "base/toml/renamed_keys.h"
 #include "collision/cell/cell_schema.h"
 #include "machine/schema/key_schema.h"
 
@@ -41,8 +45,9 @@ ordered_json value_json(const std::string& written) {
     return value.is_discarded() ? ordered_json(written) : value;
 }
 
-ordered_json key_json(const KeySchema& key) {
+ordered_json key_json(const std::string& table_title, const KeySchema& key) {
     ordered_json json{{"name", key.name}, {"kind", kind_name(key.kind)}, {"meaning", key.meaning}};
+    if (const auto old_name = base::old_key_name(table_title, key.name)) json["formerly"] = *old_name;
     const bool numbers =
         key.kind == KeyKind::number || (key.kind == KeyKind::list && key.elements == KeyKind::number);
     if (const std::string unit = machine::key_unit(key.name); numbers && !unit.empty()) json["unit"] = unit;
@@ -61,7 +66,8 @@ ordered_json table_json(const TableSchema& table) {
     ordered_json json{{"at", table.at}, {"many", table.many}, {"meaning", table.meaning}};
     if (!table.condition_key.empty()) json["where"] = {{table.condition_key, table.condition_value}};
     json["keys"] = ordered_json::array();
-    for (const KeySchema& key : table.keys) json["keys"].push_back(key_json(key));
+    const std::string title = fmt::format("[{}]", text::joined(table.at, "."));
+    for (const KeySchema& key : table.keys) json["keys"].push_back(key_json(title, key));
     return json;
 }
 

@@ -143,6 +143,13 @@ const std::vector<std::string>& Machine::notes() const {
     return state_->parts().input.notes;
 }
 
+std::vector<Diagnostic> Machine::diagnostics() const {
+    std::vector<Diagnostic> diagnostics;
+    for (const text::Diagnostic& diagnostic : machine_diagnostics(state_->parts().input))
+        diagnostics.push_back(to_diagnostic(diagnostic));
+    return diagnostics;
+}
+
 const std::string& Machine::machine_file() const {
     return state_->parts().found.request.machine;
 }

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/os/input_file.h"
+#include "base/text/diagnostic.h"
 #include "engine/host.h"
 #include "machine/data/machine_data.h"
 #include "machine/model/machine.h"
@@ -18,9 +19,13 @@ struct MachineInput {
     machine::Machine machine;
     std::optional<machine::MachineData> data;  ///< Offsets and tools that the settings name.
     std::vector<std::string> notes;            ///< Messages about settings that are not imported.
+    std::vector<std::string> warnings;         ///< As of machine::FileMessages.
 };
 
-/// Reads it; an empty name is the built-in machine. The error is a message; `faults`, if given, receives all
+/// Returns the warnings about the file and the notes.
+std::vector<text::Diagnostic> machine_diagnostics(const MachineInput& input);
+
+/// Reads it; an empty name is the built-in machine. The error is a message; `errors`, if given, receives all
 /// errors, the first one first.
 Result<MachineInput> read_machine_input(const Host& host, const std::string& name, os::NameSource name_source,
                                         std::vector<std::string>* errors = nullptr);

@@ -47,15 +47,15 @@ Result<void> read_data(const PathRequest& request, MachineInput& input) {
 
 PathProgramOptions make_options(const PathRequest& request, const path::Program& path) {
     PathProgramOptions options;
-    options.words.inch = request.inch;
-    options.words.verbose_words = request.verbose_words;
-    options.words.decimals_mm = request.decimals_mm;
+    options.words.inch = request.format.inch;
+    options.words.verbose_words = request.format.verbose_words;
+    options.words.decimals_mm = request.format.decimals_mm;
     options.rotary.is_literal = request.rotary_as_given.value_or(path.is_recorded());
-    options.tolerance_mm = request.tolerance_mm;
-    options.separate_files = request.separate_files;
+    options.tolerance_mm = request.format.tolerance_mm;
+    options.separate_files = request.format.separate_files;
     options.offsets = request.offsets;
     options.retract_mm = request.retract_mm;
-    options.continue_on_unknown = request.continue_on_unknown;
+    options.continue_on_unknown = request.format.continue_on_unknown;
     options.name = request.program_name.empty() ? path.name : request.program_name;
     return options;
 }
@@ -102,7 +102,8 @@ class PathTranslation::State {
         auto program =
             PathProgram::plan(*path_, machine_.machine, post_, make_options(request_, path_->program));
         if (!program) return tl::unexpected(path_error(program.error()));
-        notes_ = *std::move(notes);
+        notes_ = machine_.warnings;
+        notes_.insert(notes_.end(), notes->begin(), notes->end());
         notes_.insert(notes_.end(), program->notes().begin(), program->notes().end());
         program_.emplace(*std::move(program));
         return {};

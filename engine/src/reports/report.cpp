@@ -19,7 +19,8 @@ struct Report::Full {
 namespace {
 
 SourceLocation source_location(const simulation::Report& report, const simulation::SourceLocation& location) {
-    return {.file = location.file < report.files.size() ? report.files[location.file] : std::string(),
+    return {.file = location.file < report.source.files.size() ? report.source.files[location.file]
+                                                               : std::string(),
             .line = location.line};
 }
 
@@ -66,23 +67,24 @@ void copy_lists(const simulation::Report& from, Report& to) {
 
 Report to_report_values(const simulation::Report& from) {
     Report to;
-    to.program = from.program;
-    to.machine = from.machine;
+    to.program = from.source.program;
+    to.machine = from.source.machine;
     to.status = static_cast<RunStatus>(from.status);
     if (from.alarm) to.alarm = to_alarm(from);
     to.cycle_time_s = from.cycle_time_s;
-    if (from.interval) to.cycle_time_95 = Report::Interval{from.interval->min_s, from.interval->max_s};
-    to.rapid_s = from.rapid_s;
-    to.feed_s = from.feed_s;
-    to.dwell_s = from.dwell_s;
-    to.rapid_mm = from.rapid_mm;
-    to.feed_mm = from.feed_mm;
-    to.process_on_mm = from.process_on_mm;
-    to.blocks = from.blocks;
-    to.moves = from.moves;
+    if (from.times.interval)
+        to.cycle_time_95 = Report::Interval{from.times.interval->min_s, from.times.interval->max_s};
+    to.times.rapid_s = from.times.rapid_s;
+    to.times.feed_s = from.times.feed_s;
+    to.times.dwell_s = from.times.dwell_s;
+    to.distances.rapid_mm = from.distances.rapid_mm;
+    to.distances.feed_mm = from.distances.feed_mm;
+    to.distances.process_on_mm = from.distances.process_on_mm;
+    to.counts.blocks = from.counts.blocks;
+    to.counts.moves = from.counts.moves;
     to.violation_count = from.violations.count;
     to.process_findings = from.findings.count;
-    to.warnings = from.warnings;
+    to.warnings = from.messages.warnings;
     copy_lists(from, to);
     return to;
 }
@@ -130,11 +132,11 @@ Report Report::with(const Diagnostic& diagnostic) const {
     if (!full) return *this;
     if (full->one) {
         simulation::Report one = *full->one;
-        one.diagnostics.push_back(to_text_diagnostic(diagnostic));
+        one.messages.diagnostics.push_back(to_text_diagnostic(diagnostic));
         return make_report(std::move(one));
     }
     simulation::RobotsReport all = *full->robots;
-    all.full.diagnostics.push_back(to_text_diagnostic(diagnostic));
+    all.full.messages.diagnostics.push_back(to_text_diagnostic(diagnostic));
     return make_report(std::move(all));
 }
 

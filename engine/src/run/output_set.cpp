@@ -106,7 +106,7 @@ void OutputSet::explain() {
 void OutputSet::complete(simulation::Report& report) const {
     if (path_ != nullptr) {
         const std::set<std::string>& notes = path_->recorder.notes();
-        report.warnings.insert(report.warnings.end(), notes.begin(), notes.end());
+        report.messages.warnings.insert(report.messages.warnings.end(), notes.begin(), notes.end());
     }
     if (explanation_data_ == nullptr) return;
     std::optional<double> bound_s;
@@ -120,7 +120,7 @@ std::vector<Error> OutputSet::finish(const simulation::Report& report) {
     for (const auto& stream : streams_) stream->flush();
     if (auto error = check_output_size()) errors.push_back(*std::move(error));
     if (plot_) write_plot(report);
-    if (auto written = write_path(report.program); !written)
+    if (auto written = write_path(report.source.program); !written)
         errors.push_back(make_error(text::DiagnosticKind::path, written.error()));
     return errors;
 }
@@ -160,7 +160,7 @@ void OutputSet::write_plot(const simulation::Report& report) {
             plot_->data.mark_collision(collision.joints);
     }
     if (report.status == simulation::RunStatus::alarm) plot_->data.mark_alarm();
-    static_cast<void>(plot_->sink(plot_script(plot_->data, plot_->format, report.program)));
+    static_cast<void>(plot_->sink(plot_script(plot_->data, plot_->format, report.source.program)));
 }
 
 }  // namespace gsim::engine

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "engine/diagnostic.h"
 #include "engine/run.h"
 #include "runtime/monitors/path_bound.h"
 #include "runtime/outputs/dxf_writer.h"
@@ -47,7 +48,7 @@ class OutputSet {
 
     /// Completes the report after the run: adds the requested results, and messages about a recorded path.
     void complete(simulation::Report& report) const;
-    /// Writes the remainder to the sinks, after that. Returns the deficiencies of outputs.
+    /// Then writes the rest to the sinks. Returns the deficiencies of outputs.
     std::vector<Error> finish(const simulation::Report& report);
 
   private:

@@ -31,7 +31,7 @@ simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu) {
     return {.max_time_s = request.limits.machine_s,
             .max_blocks = request.limits.blocks,
             .cpu = &cpu,
-            .stop_at_first = request.stop_at_first};
+            .stop_at_first = request.execution.stop_at_first};
 }
 
 script::Engine::Options engine_options(const Request& request, machine::MachineData data,
@@ -52,9 +52,9 @@ script::Engine::Options engine_options(const Request& request, machine::MachineD
     options.dialect = language.dialect->name();
     options.codes = word_table(*language.dialect);
     options.unit_mm = start_unit_mm(language);
-    options.block_delete = request.block_delete;
-    options.passes = request.passes;
-    options.optional_stop = request.optional_stop;
+    options.block_delete = request.execution.block_delete;
+    options.passes = request.execution.passes;
+    options.optional_stop = request.execution.optional_stop;
     return options;
 }
 

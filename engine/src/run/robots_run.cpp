@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "collision/cell/machine_shapes.h"
+#include "engine/src/conversions.h"
 #include "engine/src/machine/machine_input.h"
 #include "engine/src/run/language.h"
 #include "engine/src/run/override_changes.h"
@@ -45,6 +46,8 @@ tl::expected<RobotsRun::Station, Error> RobotsRun::make_station(
     const os::Files& files = request.host.files.impl();
     auto input = read_machine_input(request.host, entry.machine.string(), os::NameSource::in_file);
     if (!input) return unexpected_error(input.error());
+    for (const text::Diagnostic& diagnostic : machine_diagnostics(*input))
+        run_context_->on_diagnostic(diagnostic);
     machine::Machine* machine = &input->machine;
     Station station;
     station.entry = entry;
@@ -171,9 +174,10 @@ std::vector<simulation::RobotReport> RobotsRun::run() {
 
 simulation::RobotsReport RobotsRun::combined_report(std::vector<simulation::RobotReport> robots) const {
     simulation::Report combined_report;
-    combined_report.program = program_;
+    combined_report.source.program = program_;
     engine_->report(combined_report);
-    for (std::string& warning : monitor_->warnings()) combined_report.warnings.push_back(std::move(warning));
+    for (std::string& warning : monitor_->warnings())
+        combined_report.messages.warnings.push_back(std::move(warning));
     return simulation::robots_report(std::move(combined_report), std::move(robots));
 }
 

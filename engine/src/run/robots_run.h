@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "base/error.h"
+#include "engine/diagnostic.h"
 #include "engine/src/run/program_run.h"
 #include "engine/src/run/run_inputs.h"
 #include "runtime/monitors/multi_robot_monitor.h"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "collision/cell/cell_file.h"
+#include "engine/src/conversions.h"
 #include "engine/src/host_names.h"
 #include "engine/src/run/language.h"
 #include "engine/src/run/override_changes.h"

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "controller/module/rcs_host.h"
+#include "engine/diagnostic.h"
 #include "engine/request.h"
 #include "engine/src/machine/machine_input.h"
 #include "engine/src/run/run_cell.h"

@@ -29,9 +29,7 @@ tl::expected<void, Error> Run::State::open_single_robot() {
     const Request& request = found_.request;
     auto input = read_machine_input(request.host, request.machine, found_.machine_named_by);
     if (!input) return tl::unexpected(make_error(DiagnosticKind::input_file, input.error(), request.machine));
-    for (const std::string& note : input->notes)
-        diagnostics_.handler()(
-            {.severity = text::Severity::note, .kind = DiagnosticKind::machine, .text = note});
+    for (const text::Diagnostic& diagnostic : machine_diagnostics(*input)) diagnostics_.handler()(diagnostic);
     machine_ = *std::move(input);
     auto cell = read_cell_contents(make_cell_source(found_), machine_->machine);
     if (!cell) return tl::unexpected(make_error(DiagnosticKind::input_file, cell.error(), request.cell));
@@ -120,7 +118,7 @@ void Run::State::add(simulation::Simulator& simulator) {
 
 simulation::Report Run::State::run_single_robot() {
     simulation::Report report = program_run_->run();
-    report.diagnostics = diagnostics_.diagnostics();
+    report.messages.diagnostics = diagnostics_.diagnostics();
     output_sets_.front()->complete(report);
     errors_ = output_sets_.front()->finish(report);
     return report;
@@ -169,10 +167,10 @@ tl::expected<std::string, Error> Run::State::machine_data() {
 
 Report Run::State::make_report(const Error& error) const {
     simulation::Report report;
-    report.program = program_ ? program_->source.name() : found_.request.program;
+    report.source.program = program_ ? program_->source.name() : found_.request.program;
     if (machine_) {
-        report.machine = machine_->machine.name;
-        if (found_.request.module.empty()) report.controller = machine_->machine.controller.model;
+        report.source.machine = machine_->machine.name;
+        if (found_.request.module.empty()) report.source.controller = machine_->machine.controller.model;
     }
     const auto kind = text::diagnostic_kind(error.code).value_or(DiagnosticKind::internal);
     const bool stopped = kind == DiagnosticKind::run_limit;
@@ -182,10 +180,10 @@ Report Run::State::make_report(const Error& error) const {
     report.alarm->message = "the program has errors: " + error.message;
     if (error.first_error) {
         if (stopped) report.alarm->message = error.first_error->text;
-        report.files.push_back(error.first_error->file);
+        report.source.files.push_back(error.first_error->file);
         report.alarm->location = {0, error.first_error->line};
     }
-    report.diagnostics = diagnostics_.diagnostics();
+    report.messages.diagnostics = diagnostics_.diagnostics();
     return engine::make_report(std::move(report));
 }
 

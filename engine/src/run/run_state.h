@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/diagnostic.h"
 #include "engine/run.h"
 #include "engine/src/machine/machine_parts.h"
 #include "engine/src/run/diagnostic_log.h"

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/src/conversions.h"
 #include "engine/src/run/translate_program.h"
 
 namespace gsim::engine {

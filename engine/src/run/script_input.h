@@ -12,6 +12,7 @@
 #include "base/os/files.h"
 #include "codegen/lua/lua_spool.h"
 #include "codegen/translate.h"
+#include "engine/diagnostic.h"
 #include "engine/request.h"
 #include "lexer/source.h"
 #include "machine/model/program_table.h"
@@ -46,7 +47,7 @@ struct OpenedScript {
 tl::expected<OpenedScript, Error> open_script(const os::Files& files, const std::string& path,
                                               os::NameSource name_source = os::NameSource::command_line);
 
-/// Opens a text that is not a file, after a check for Lua.
+/// Opens a text that is not a file, and checks whether it is Lua.
 OpenedScript open_text_script(lexer::Source text);
 
 /// Reads it and translates G-code. To be called once. Errors in the program have been reported.

@@ -178,14 +178,15 @@ void Engine::read_permanent() {
 
 void Engine::report(simulation::Report& report) const {
     if (!processes_.several() && controllers_.size() == 1) return;
-    report.processes = processes_.summaries();
-    report.signals = processes_.signals().board().changes();
+    report.concurrency.processes = processes_.summaries();
+    report.concurrency.signals = processes_.signals().board().changes();
     if (const std::uint64_t dropped = processes_.signals().board().dropped(); dropped > 0)
-        report.warnings.push_back(
+        report.messages.warnings.push_back(
             fmt::format("{} more signal changes are not listed in the report", dropped));
-    report.zone_uses = processes_.zones().shared_zones().uses();
+    report.concurrency.zone_uses = processes_.zones().shared_zones().uses();
     if (const std::uint64_t dropped = processes_.zones().shared_zones().dropped(); dropped > 0)
-        report.warnings.push_back(fmt::format("{} more zone uses are not listed in the report", dropped));
+        report.messages.warnings.push_back(
+            fmt::format("{} more zone uses are not listed in the report", dropped));
 }
 
 void Engine::read_stored() {

@@ -17,7 +17,7 @@ struct ContourTask {
     std::span<const ContourDescription> contours;
     os::CpuLimit* cpu;
     std::vector<bool> selected = {};
-    int last_line = 1;  // line at which a limit was reached
+    int last_line = 1;  // line where a limit was reached
 };
 
 void set_text(lua_State* state, const char* name, const std::string& text) {
@@ -46,7 +46,8 @@ void push_contour(lua_State* state, const ContourDescription& description) {
     set_vector(state, "high_mm", description.high_mm);
     set_vector(state, "normal", description.normal);
     set_number(state, "depth_mm", description.depth_mm);
-    set_number(state, "lean_deg", description.tilt_deg);
+    set_number(state, "tilt_deg", description.tilt_deg);
+    set_number(state, "lean_deg", description.tilt_deg);  // its name until 0.3
     lua_createtable(state, static_cast<int>(description.edges.size()), 0);
     for (std::size_t i = 0; i < description.edges.size(); ++i) {
         lua_createtable(state, 0, 2);

@@ -73,7 +73,7 @@ function* reportFindings(report: Report): Generator<[RawFinding, Severity]> {
 }
 
 function* runDiagnostics(run: Run): Generator<[RawFinding, Severity]> {
-  for (const one of run.told) yield [one, one.severity];
+  for (const one of run.diagnostics) yield [one, one.severity];
   if (run.report) yield* reportFindings(run.report);
 }
 

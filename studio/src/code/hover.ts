@@ -142,9 +142,9 @@ const cursorTooltip = StateField.define<Tooltip | null>({
 
 function showCursorTooltip(context: HoverContext, view: EditorView): boolean {
   const { state } = view;
-  void tooltip(context, view, state.selection.main.head).then((told) => {
+  void tooltip(context, view, state.selection.main.head).then((shown) => {
     const isSame = view.state.doc === state.doc && view.state.selection.eq(state.selection);
-    if (isSame) view.dispatch({ effects: [closeHoverTooltips, setCursorTooltip.of(told)] });
+    if (isSame) view.dispatch({ effects: [closeHoverTooltips, setCursorTooltip.of(shown)] });
   });
   return true;
 }

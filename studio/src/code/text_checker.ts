@@ -30,12 +30,12 @@ export class TextChecker {
   private version = 0;
   private isRequestPending = false;
 
-  /** `answered` is called after the present text has been checked. */
+  /** `onChecked` is called after the present text has been checked. */
   constructor(
     private readonly store: Store,
     private readonly session: Session,
     private readonly source: SourcePane,
-    private readonly told: (problems: Problems) => void,
+    private readonly onProblems: (problems: Problems) => void,
     private readonly onChecked: (hasErrors: boolean) => void,
   ) {}
 
@@ -71,12 +71,12 @@ export class TextChecker {
     this.isRequestPending = true;
     this.source.flush();
     this.tell();
-    const told = await (this.source.isProgram ? this.session.check(name) : this.session.checkFile(name));
+    const diagnostics = await (this.source.isProgram ? this.session.check(name) : this.session.checkFile(name));
     this.isRequestPending = false;
     this.setFindings(
       fileFindings(
         name,
-        told.map((one) => [one, one.severity]),
+        diagnostics.map((one) => [one, one.severity]),
       ),
       version,
     );
@@ -117,7 +117,7 @@ export class TextChecker {
 
   private tell(): void {
     const severities = this.currentFindings().map(([{ severity }]) => severity);
-    this.told({
+    this.onProblems({
       errors: severities.filter((severity) => severity === "error").length,
       warnings: severities.filter((severity) => severity === "warning").length,
       checking: this.isRequestPending,

@@ -10,7 +10,7 @@ const NEVER_READ = /\.(json|md|dxf|svg)$/i;
 export function affectsRun(name: string, kind: FileKind, setup: Readonly<Setup>, ran: Run | null): boolean {
   const { program, machine, cell, machine_data, robots, controller } = setup;
   if ([program, machine, cell, machine_data, robots, controller].includes(name)) return name !== "";
-  if (ran?.robots.some(({ files }) => files.includes(name)) || ran?.told.some(({ file }) => file === name)) return true;
+  if (ran?.robots.some(({ files }) => files.includes(name)) || ran?.diagnostics.some(({ file }) => file === name)) return true;
   switch (kind) {
     case "program":
       return false; // one that is called has been run

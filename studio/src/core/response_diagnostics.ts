@@ -14,8 +14,8 @@ function failureDiagnostic(code: string, message: string): EngineDiagnostic {
 
 /** Returns all diagnostics, and the reason of the failure, if that has not been reported already. */
 export function responseDiagnostics({ ok, code, message, messages }: EngineResponse): EngineDiagnostic[] {
-  const told = messages.filter(({ is }) => is === "told").map(({ header }) => header as unknown as EngineDiagnostic);
-  if (ok || code === "cancelled") return told;
+  const diagnostics = messages.filter(({ is }) => is === "diagnostic").map(({ header }) => header as unknown as EngineDiagnostic);
+  if (ok || code === "cancelled") return diagnostics;
   const last = failureDiagnostic(code, message);
-  return told.some(({ severity, text }) => severity === "error" && last.text.includes(text)) ? told : [...told, last];
+  return diagnostics.some(({ severity, text }) => severity === "error" && last.text.includes(text)) ? diagnostics : [...diagnostics, last];
 }

@@ -109,11 +109,11 @@ export class Server {
    */
   async follow(begun: () => void, changed: (change: FolderChange) => void): Promise<void> {
     for (let at: number | null = null; ; await pause(POLL_MS)) {
-      const told: Changes | null = await this.changesSince(at).catch(() => null);
-      if (!told) return;
-      if (told.again) begun();
-      told.changed.forEach(changed);
-      at = told.at;
+      const changes: Changes | null = await this.changesSince(at).catch(() => null);
+      if (!changes) return;
+      if (changes.again) begun();
+      changes.changed.forEach(changed);
+      at = changes.at;
     }
   }
 

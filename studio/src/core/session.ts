@@ -165,11 +165,11 @@ export class Session {
     this.isRerunDue = false;
     const { store, current } = this;
     store.set("running", { done: 0, total: 0 });
-    const told = (run: Run, message: Message) => {
+    const onMessage = (run: Run, message: Message) => {
       if (message.is === "progress") store.set("running", readProgress(message));
       else if (message.is === "segments") this.partialRun.show(run);
     };
-    const run = await this.execute(current, told, runStorage);
+    const run = await this.execute(current, onMessage, runStorage);
     if (!run) return;
     if (run.error?.code === "no-room") {
       store.set("notice", texts.folder.notStored(run.error.message));
@@ -227,7 +227,7 @@ export class Session {
   /** Executes a run. With `runStorage` the run may be too long for the page; without it the run is complete. */
   private async execute(
     setup: Readonly<Setup>,
-    told: (run: Run, message: Message) => void,
+    onMessage: (run: Run, message: Message) => void,
     runStorage: RunStorage | null = null,
   ): Promise<Run | null> {
     const turn = ++this.turn;
@@ -252,7 +252,7 @@ export class Session {
     this.isRequestPending = true;
     const addMessage = (message: Message) => {
       if (message.is !== "progress") run.addMessage(message);
-      told(run, message);
+      onMessage(run, message);
     };
     const response = await this.runner.ask(request, files, addMessage, run.storageKey);
     if (turn === this.turn) this.isRequestPending = false;
@@ -313,10 +313,10 @@ export class Session {
 
   /** Returns the errors of a program text; none for a Lua script, which is only checked when it runs. */
   async check(program: string): Promise<EngineDiagnostic[]> {
-    const told: EngineDiagnostic[] = [];
-    if (!program || isScript(program)) return told;
-    await this.ask("check", program, (header) => told.push(header as unknown as EngineDiagnostic));
-    return told;
+    const diagnostics: EngineDiagnostic[] = [];
+    if (!program || isScript(program)) return diagnostics;
+    await this.ask("check", program, (header) => diagnostics.push(header as unknown as EngineDiagnostic));
+    return diagnostics;
   }
 
   /** Returns the errors of a file that is not a program, found by the reader of such files. */
@@ -365,9 +365,9 @@ export class Session {
     return this.known;
   }
 
-  private ask(what: string, program: string, told: (header: Record<string, unknown>) => void): Promise<RequestResult> {
+  private ask(what: string, program: string, onDiagnostic: (header: Record<string, unknown>) => void): Promise<RequestResult> {
     return this.checker.ask(this.request(what, program), this.documents.files(), (message) => {
-      if (message.is === "told") told(message.header);
+      if (message.is === "diagnostic") onDiagnostic(message.header);
     });
   }
 }

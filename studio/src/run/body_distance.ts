@@ -61,9 +61,9 @@ export function createCore(shape: Shape, meshes: Float32Array[], place: Matrix4)
 function barycentricWeights(points: Vector3[]): number[] | null {
   const [first, ...others] = points;
   if (others.length === 0) return [1];
-  const ways = others.map((point) => point.clone().sub(first));
+  const offsets = others.map((point) => point.clone().sub(first));
   // Solves the normal equations by elimination: three at most.
-  const rows = ways.map((way) => [...ways.map((other) => way.dot(other)), -way.dot(first)]);
+  const rows = offsets.map((offset) => [...offsets.map((other) => offset.dot(other)), -offset.dot(first)]);
   for (let i = 0; i < rows.length; ++i) {
     const pivot = rows[i][i];
     if (Math.abs(pivot) < 1e-12) return null;

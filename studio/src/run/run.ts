@@ -86,7 +86,7 @@ function addClearanceTimes(clearances: Clearance[] = [], near_s: (number | null)
 
 export class Run {
   readonly robots: Robot[] = [];
-  readonly told: EngineDiagnostic[] = [];
+  readonly diagnostics: EngineDiagnostic[] = [];
   report: Report | null = null;
   reportText = "";
   /** Reason why it was not run. */
@@ -152,8 +152,8 @@ export class Run {
       case "following":
         robot.series.set(message.is, new Series(message));
         return;
-      case "told":
-        this.told.push(header as unknown as EngineDiagnostic);
+      case "diagnostic":
+        this.diagnostics.push(header as unknown as EngineDiagnostic);
         return;
       case "report":
         this.report = header.report as Report;

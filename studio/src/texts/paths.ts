@@ -204,7 +204,7 @@ export const paths = {
     up: "Direction of the upper side",
     largest: "that of the largest face",
     flip: "flipped",
-    ways: "Leads, heights, bevel",
+    cuttingPath: "Leads, heights, bevel",
     reading: "Reading the drawing",
     numbers: {
       thickness_mm: "Thickness",
@@ -219,7 +219,7 @@ export const paths = {
       curve_tolerance_mm: "Tolerance of curves",
       gap_mm: "Ends joined within",
     },
-    straighten: "tilt against the kerf's taper",
+    taperCompensation: "tilt against the kerf's taper",
     movingPierce: "dynamic pierce",
     avoidsCollisions: "linking moves avoid machine and cell",
     make: "Make path",
@@ -236,9 +236,9 @@ export const paths = {
     axis: "Direction of the jet",
     axes: { wall: "along the walls", normal: "along the face's normal" },
     numbers: {
-      lean_deg: "Tilt over the waste",
-      tilt_deg: "Lead angle",
-      max_lean_deg: "Max tilt",
+      tilt_angle_deg: "Tilt over the waste",
+      lead_angle_deg: "Lead angle",
+      max_tilt_deg: "Max tilt",
       bridges: "Bridges",
       bridge_mm: "Width of a bridge",
     },
@@ -250,8 +250,8 @@ export const paths = {
       list: "Contours of the part",
       hole: "Hole",
       outline: "Outline",
-      contour: (kind: string, edge: string, face: string, length: string, depth: string, lean_deg: string) =>
-        `${kind}${edge ? ` at edge ${edge}` : ""} of ${face}: ${length} long, ${depth} deep, tilted by ${lean_deg}°`,
+      contour: (kind: string, edge: string, face: string, length: string, depth: string, tilt_deg: string) =>
+        `${kind}${edge ? ` at edge ${edge}` : ""} of ${face}: ${length} long, ${depth} deep, tilted by ${tilt_deg}°`,
       all: "All",
       none: "None",
       asking: "Reading the part's contours…",

@@ -26,7 +26,7 @@ const words = texts.time;
 export function createTimePanel(host: HTMLElement, store: Store, _session: Session, frames: AnimationFrames): void {
   const window = new TimeWindow();
   let marks: Mark[] = [];
-  const told = element("div", { class: "told", role: "status", "aria-live": "polite" });
+  const markText = element("div", { class: "mark-text", role: "status", "aria-live": "polite" });
   const actions: Actions = {
     play: () => store.set("playing", !store.get("playing") && store.get("run") !== null),
     start: () => goToStart(store),
@@ -34,7 +34,7 @@ export function createTimePanel(host: HTMLElement, store: Store, _session: Sessi
     block: (by) => stepBlock(store, by),
     mark: (by) => {
       const mark = stepMark(store, marks, by);
-      told.textContent = mark ? fullMarkText(mark, store.get("units")) : words.noMark;
+      markText.textContent = mark ? fullMarkText(mark, store.get("units")) : words.noMark;
     },
   };
   const scrubber = createScrubber(store, window);
@@ -49,13 +49,13 @@ export function createTimePanel(host: HTMLElement, store: Store, _session: Sessi
     Home: actions.start,
     End: actions.end,
   });
-  const bar = element("div", { class: "bar" }, createTransport(store, actions), createClock(store), told);
+  const bar = element("div", { class: "bar" }, createTransport(store, actions), createClock(store), markText);
   const left = element("div", { class: "left" }, createZoom(store, window), charts.chooser);
   host.append(createResizeHandle(host), bar, left, scrubber.element, charts.list);
 
   // The text of a mark does not apply to another instant.
   store.on("time_s", () => {
-    if (told.textContent) told.textContent = "";
+    if (markText.textContent) markText.textContent = "";
     if (!window.isComplete) window.show(store.get("time_s"));
   });
   store.watch(["run", "comparisonRun", "robot"], () => {

@@ -74,9 +74,9 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
   function tell(x: number): void {
     const marks = near(x);
     const textOf = (mark: Mark) => `${timeText(mark.t_s)}  ${fullMarkText(mark, store.get("units"))}`;
-    const told = marks.slice(0, MAX_TOOLTIP_MARKS).map(textOf);
-    if (marks.length > MAX_TOOLTIP_MARKS) told.push(words.more(marks.length - MAX_TOOLTIP_MARKS));
-    tip.textContent = [...told, ...(told.length === 0 ? [timeText(timeOf(x))] : [])].join("\n");
+    const lines = marks.slice(0, MAX_TOOLTIP_MARKS).map(textOf);
+    if (marks.length > MAX_TOOLTIP_MARKS) lines.push(words.more(marks.length - MAX_TOOLTIP_MARKS));
+    tip.textContent = [...lines, ...(lines.length === 0 ? [timeText(timeOf(x))] : [])].join("\n");
     tip.hidden = !content;
     const left = Math.min(Math.max(track.offsetLeft + x - tip.offsetWidth / 2, 0), root.clientWidth - tip.offsetWidth);
     tip.style.left = `${left}px`;

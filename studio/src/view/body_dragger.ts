@@ -44,9 +44,9 @@ export class BodyDragger implements Draggable {
   /** Shows bodies at the handle, even before a run has them there. */
   private carry(): void {
     const { displayed } = this;
-    const { stage, store } = this.on;
-    for (const { bodies } of stage.machines) bodies.carry(-1, null);
-    const machine = stage.machines[store.get("robot")];
+    const { runScene, store } = this.on;
+    for (const { bodies } of runScene.machines) bodies.carry(-1, null);
+    const machine = runScene.machines[store.get("robot")];
     const place = displayed && machine?.at(store.get("time_s")).linkPoses.frames[displayed.frame];
     if (displayed && place) machine.bodies.carry(displayed.frame, new Matrix4().fromArray(displayed.parent).multiply(this.pose).multiply(place.clone().invert()));
     this.on.changed();

@@ -5,7 +5,7 @@ import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import type { CameraRig } from "./camera";
 import type { ActiveGrab } from "./gestures";
-import type { Stage } from "./stage";
+import type { RunScene } from "./run_scene";
 import type { Palette } from "./theme";
 
 /** Size of the picture, in pixels of the page. */
@@ -39,7 +39,7 @@ export interface Draggable {
 export interface DraggableContext {
   store: Store;
   session: Session;
-  stage: Stage;
+  runScene: RunScene;
   rig: CameraRig;
   size: Size;
   /** Requests a redraw. */

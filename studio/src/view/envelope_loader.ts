@@ -7,7 +7,7 @@ import type { View } from "./view";
 
 /** `say` shows a message to the user; empty: clears it. */
 export function watchEnvelope(store: Store, session: Session, view: View, say: (text: string) => void): void {
-  const { envelope } = view.stage;
+  const { envelope } = view.runScene;
   let asked = 0;
   const show = async (): Promise<void> => {
     const own = ++asked;
@@ -23,7 +23,7 @@ export function watchEnvelope(store: Store, session: Session, view: View, say: (
     if (!bytes) return;
     envelope.setContent(bytes);
     envelope.group.visible = true;
-    view.rig.setVisibleBounds(view.stage.fullBox().expandByScalar(2000));
+    view.rig.setVisibleBounds(view.runScene.fullBox().expandByScalar(2000));
     view.invalidate();
   };
   store.watch(["showEnvelope"], () => void show());

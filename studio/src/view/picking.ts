@@ -5,7 +5,7 @@ import type { CameraRig } from "./camera";
 import type { Machine } from "./machine/machine";
 import type { PathData } from "./path/path_data";
 import type { Hit } from "./path/path_layer";
-import type { Stage } from "./stage";
+import type { RunScene } from "./run_scene";
 
 const SNAP_PX = 8;
 const BISECTION_STEPS = 24;
@@ -67,13 +67,13 @@ function isVisible(object: Object3D): boolean {
 }
 
 /** Returns the first visible body of machines and cells on a ray. */
-function firstBody(ray: Raycaster, stage: Stage): Intersection | undefined {
-  return ray.intersectObject(stage.machineGroup, true).find(({ object }) => isVisible(object));
+function firstBody(ray: Raycaster, runScene: RunScene): Intersection | undefined {
+  return ray.intersectObject(runScene.machineGroup, true).find(({ object }) => isVisible(object));
 }
 
 /** Returns the name of the body at a position; null: no body, or it has no name. */
-export function bodyAt(x_px: number, y_px: number, size: Size, stage: Stage, rig: CameraRig): string | null {
-  return firstBody(rayAt(x_px, y_px, size, rig), stage)?.object.name || null;
+export function bodyAt(x_px: number, y_px: number, size: Size, runScene: RunScene, rig: CameraRig): string | null {
+  return firstBody(rayAt(x_px, y_px, size, rig), runScene)?.object.name || null;
 }
 
 /**
@@ -85,23 +85,23 @@ export function positionAt(
   y_px: number,
   size: Size,
   hit: Hit | null,
-  stage: Stage,
+  runScene: RunScene,
   rig: CameraRig,
   works: Matrix4[],
   frame: Matrix4,
 ): Vector3 | null {
   const toFrame = frame.clone().invert();
   if (hit) {
-    const { a, b, share } = hitSegment(stage.paths[hit.robot], hit);
+    const { a, b, share } = hitSegment(runScene.paths[hit.robot], hit);
     const work = works[hit.robot];
-    const near = segmentEnds(stage.paths[hit.robot], hit.vertex).find((end) => {
+    const near = segmentEnds(runScene.paths[hit.robot], hit.vertex).find((end) => {
       const projected = rig.project(end.clone().applyMatrix4(work));
       return projected && Math.hypot(projected.x - x_px, projected.y - y_px) < SNAP_PX;
     });
     return (near ?? a.lerp(b, share)).applyMatrix4(work).applyMatrix4(toFrame);
   }
   const ray = rayAt(x_px, y_px, size, rig);
-  const body = firstBody(ray, stage);
+  const body = firstBody(ray, runScene);
   if (body) return body.point.applyMatrix4(toFrame);
   const plane = new Plane(new Vector3(0, 0, 1), 0).applyMatrix4(frame);
   const place = ray.ray.intersectPlane(plane, new Vector3());

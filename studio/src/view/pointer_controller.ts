@@ -80,8 +80,8 @@ export class PointerController implements Gestures {
     if (cursor) return this.tooltip.hide();
     const hit = this.view.hit(x_px, y_px, HIT_DISTANCE_PX);
     if (!hit) return this.tooltip.hide();
-    const { robot } = this.view.stage.machines[hit.robot];
-    const path = this.view.stage.paths[hit.robot];
+    const { robot } = this.view.runScene.machines[hit.robot];
+    const path = this.view.runScene.paths[hit.robot];
     const kind = moveKinds[decodeKind(path.vertexFlags(hit.vertex))];
     this.tooltip.show(robot, path.vertexSegment(hit.vertex), kind, this.store.get("units"), x_px, y_px);
   }
@@ -95,12 +95,12 @@ export class PointerController implements Gestures {
     const hit = this.view.hit(x_px, y_px, HIT_DISTANCE_PX);
     if (!hit) {
       this.store.set("selection", null);
-      return this.store.set("body", bodyAt(x_px, y_px, this.view.canvas, this.view.stage, this.view.rig));
+      return this.store.set("body", bodyAt(x_px, y_px, this.view.canvas, this.view.runScene, this.view.rig));
     }
-    const { stage } = this.view;
-    const machine = stage.machines[hit.robot];
+    const { runScene } = this.view;
+    const machine = runScene.machines[hit.robot];
     const { robot } = machine;
-    const path = stage.paths[hit.robot];
+    const path = runScene.paths[hit.robot];
     const segment = path.vertexSegment(hit.vertex);
     const { file, line } = robot.segments.lineOf(segment);
     const selection = { file: robot.files[file] ?? "", line, block: robot.blocks.of(segment) };
@@ -122,9 +122,9 @@ export class PointerController implements Gestures {
     if (!frame) return;
     const hit = view.hit(x_px, y_px, HIT_DISTANCE_PX);
     const works = frame.instants.map(({ linkPoses }) => linkPoses.work);
-    const place = positionAt(x_px, y_px, view.canvas, hit, view.stage, view.rig, works, frame.work);
+    const place = positionAt(x_px, y_px, view.canvas, hit, view.runScene, view.rig, works, frame.work);
     if (!place) return;
-    view.stage.measure.pick(place);
+    view.runScene.measure.pick(place);
     this.measured = (this.measured % 2) + 1;
     this.say();
     view.invalidate();
@@ -132,14 +132,14 @@ export class PointerController implements Gestures {
 
   private begin(): void {
     this.measured = 0;
-    this.view.stage.measure.clear();
+    this.view.runScene.measure.clear();
     this.say();
     this.view.invalidate();
   }
 
   private say(): void {
     if (this.store.get("measuring")) {
-      const done = this.view.stage.measure.text(this.store.get("units"), texts.view.distance);
+      const done = this.view.runScene.measure.text(this.store.get("units"), texts.view.distance);
       this.hint.textContent = this.measured === 1 ? texts.view.measureSecond : done || texts.view.measureFirst;
     } else this.hint.textContent = this.store.get("run") ? "" : texts.view.empty;
   }

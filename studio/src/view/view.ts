@@ -19,7 +19,7 @@ import { Triad } from "./marks/triad";
 import { legendKey } from "./path/path_colours";
 import { PathLayer, type Hit, type FrameAppearance } from "./path/path_layer";
 import { lastDoneVertex } from "./picking";
-import { Stage } from "./stage";
+import { RunScene } from "./run_scene";
 import { isDark, palette, toRgb } from "./theme";
 
 const IDLE_MS = 150;
@@ -28,7 +28,7 @@ const WHITE_SHARE = { dark: 0.2, light: 0 };
 
 export class View {
   readonly rig = new CameraRig();
-  readonly stage = new Stage();
+  readonly runScene = new RunScene();
   readonly labels = new Labels();
   readonly triad = new Triad();
   readonly legend: Legend;
@@ -58,9 +58,9 @@ export class View {
   ) {
     this.layer = new PathLayer(canvas.gl);
     this.legend = new Legend(store);
-    const { stage, rig } = this;
+    const { runScene, rig } = this;
     this.draggables = createDraggables({
-      ...{ store, session, stage, rig, size: canvas },
+      ...{ store, session, runScene, rig, size: canvas },
       changed: () => this.invalidate(),
       moved: () => this.turned(),
       onOutOfView: () => this.fit(false),
@@ -97,7 +97,7 @@ export class View {
 
   onResized(): void {
     this.rig.resize(this.canvas.width_px, this.canvas.height_px);
-    if (this.stage.paths.length === 0) this.fit(false);
+    if (this.runScene.paths.length === 0) this.fit(false);
     // A canvas of another size is empty until it is drawn.
     this.draw();
     this.idleTimer.after(IDLE_MS);
@@ -124,7 +124,7 @@ export class View {
 
   private recolour(): void {
     this.colours = palette();
-    this.stage.recolour(this.colours);
+    this.runScene.recolour(this.colours);
     for (const hold of this.draggables) hold.recolour(this.colours);
     this.canvas.renderer.setClearColor(this.colours.background);
     this.layer.refresh();
@@ -141,8 +141,8 @@ export class View {
     const isGrowing = this.store.get("partialRun") !== null;
     if (isGrowing && run === this.taken) return this.grow();
     this.taken = isGrowing ? run : null;
-    const before = this.stage.paths.length > 0;
-    this.stage.setContent(this.run, this.store.get("units"));
+    const before = this.runScene.paths.length > 0;
+    this.runScene.setContent(this.run, this.store.get("units"));
     this.tip = null;
     this.updatePaths();
     this.choose();
@@ -153,40 +153,40 @@ export class View {
 
   /** Adds new data of the shown run. */
   private grow(): void {
-    for (const path of this.stage.paths) path.grow();
+    for (const path of this.runScene.paths) path.grow();
     const key = this.key();
     if (key) this.layer.grow(key);
-    this.legend.show(key, this.stage.grid.step_mm);
+    this.legend.show(key, this.runScene.grid.step_mm);
     this.updateVisibleBounds();
     if (!this.isWorkVisible()) this.fit(false);
     this.turned();
   }
 
   private key() {
-    const segments = this.stage.paths.map((path) => path.segments);
+    const segments = this.runScene.paths.map((path) => path.segments);
     return segments.length > 0 ? legendKey(this.store.get("colour"), segments) : null;
   }
 
   private updatePaths(): void {
-    const previous = this.store.get("compare") ? this.stage.pathsOf(this.store.get("previous")) : [];
+    const previous = this.store.get("compare") ? this.runScene.pathsOf(this.store.get("previous")) : [];
     const key = this.key() ?? legendKey(this.store.get("colour"), []);
-    this.layer.setContent(this.stage.paths, previous, key);
-    this.legend.show(this.key(), this.stage.grid.step_mm);
+    this.layer.setContent(this.runScene.paths, previous, key);
+    this.legend.show(this.key(), this.runScene.grid.step_mm);
     this.invalidate();
   }
 
   private explain(): void {
     const key = this.key();
     if (key) this.layer.colour(key);
-    this.stage.updateGrid(this.store.get("units"));
-    this.legend.show(key, this.stage.grid.step_mm);
+    this.runScene.updateGrid(this.store.get("units"));
+    this.legend.show(key, this.runScene.grid.step_mm);
     this.invalidate();
   }
 
   private choose(): void {
     const { run, store } = this;
     const state = { selection: store.get("selection"), robot: store.get("robot") };
-    this.chosen = run ? this.stage.paths.map((data, i) => selectedRanges(run, i, data, state)) : [];
+    this.chosen = run ? this.runScene.paths.map((data, i) => selectedRanges(run, i, data, state)) : [];
     this.bringToSight();
     this.invalidate();
   }
@@ -198,7 +198,7 @@ export class View {
     const [from, to] = this.chosen[robot][0];
     if (to <= from) return;
     const work = this.frame.instants[robot]?.linkPoses.work ?? new Matrix4();
-    const place = this.stage.paths[robot].point((from + to - 1) >> 1).applyMatrix4(work);
+    const place = this.runScene.paths[robot].point((from + to - 1) >> 1).applyMatrix4(work);
     const viewed = this.rig.project(place);
     const { width_px, height_px } = this.canvas;
     if (viewed && viewed.x > 0 && viewed.y > 0 && viewed.x < width_px && viewed.y < height_px) return;
@@ -208,7 +208,7 @@ export class View {
 
   /** True if the work is on the screen, and about as large as at the last fit. */
   private isWorkVisible(): boolean {
-    const box = this.stage.workBox(this.works());
+    const box = this.runScene.workBox(this.works());
     const growth = box.getSize(new Vector3()).length() / this.fittedSize_mm;
     const viewed = this.rig.project(box.getCenter(new Vector3()));
     if (!viewed || growth > 2 || growth < 0.5) return false;
@@ -223,10 +223,10 @@ export class View {
   fit(all: boolean): void {
     this.updateVisibleBounds();
     this.rig.resize(this.canvas.width_px, this.canvas.height_px);
-    const work = this.stage.workBox(this.works());
+    const work = this.runScene.workBox(this.works());
     const frame = this.place().work;
     for (const hold of this.draggables) work.union(hold.box?.(frame) ?? new Box3());
-    this.rig.fit(all ? this.stage.fullBox() : work);
+    this.rig.fit(all ? this.runScene.fullBox() : work);
     this.fittedSize_mm = work.getSize(new Vector3()).length();
     this.turned();
   }
@@ -249,34 +249,34 @@ export class View {
     const t_s = this.taken ? 0 : this.store.get("time_s");
     const robot = this.store.get("robot");
     const jog = this.store.get("jog");
-    const instants = this.stage.machines.map((machine, i) => {
+    const instants = this.runScene.machines.map((machine, i) => {
       const isJogged = i === robot && jog?.length === machine.robot.scene.axes.length;
       return machine.at(t_s, isJogged ? jog : null);
     });
     const work = instants[robot]?.linkPoses.work ?? new Matrix4();
     this.frame = { t_s, instants, work };
-    this.stage.place(instants, work);
+    this.runScene.place(instants, work);
     return this.frame;
   }
 
   /** As place(), and sets the depth range of the camera. */
   private updateVisibleBounds(): void {
     this.place();
-    const { stage } = this;
-    if (stage.machines.length === 0) return;
-    const viewed = stage.fullBox().union(stage.workBox(this.works()));
+    const { runScene } = this;
+    if (runScene.machines.length === 0) return;
+    const viewed = runScene.fullBox().union(runScene.workBox(this.works()));
     this.rig.setVisibleBounds(viewed.expandByScalar(0.5 * viewed.getSize(new Vector3()).length()));
   }
 
   private update(): Frame {
-    const { stage, own, store } = this;
+    const { runScene, own, store } = this;
     const frame = this.place();
-    stage.light(frame.t_s, this.activeLines(frame));
-    stage.show(own);
-    stage.grid.group.visible = own.grid;
-    stage.extents.lines.visible = own.extents;
-    stage.zones.group.visible = store.get("showZones");
-    stage.directions.group.visible = store.get("showDirections");
+    runScene.light(frame.t_s, this.activeLines(frame));
+    runScene.show(own);
+    runScene.grid.group.visible = own.grid;
+    runScene.extents.lines.visible = own.extents;
+    runScene.zones.group.visible = store.get("showZones");
+    runScene.directions.group.visible = store.get("showDirections");
     this.followTool(frame);
     return frame;
   }
@@ -307,7 +307,7 @@ export class View {
       compare: this.store.get("compare"),
       compareColour: toRgb(this.colours.compare),
       now_s: instants.map(({ linkPoses, tip_mm }, i) =>
-        whole ? Infinity : lastDoneVertex(this.stage.paths[i], t_s, tip_mm.clone().applyMatrix4(linkPoses.work.clone().invert())),
+        whole ? Infinity : lastDoneVertex(this.runScene.paths[i], t_s, tip_mm.clone().applyMatrix4(linkPoses.work.clone().invert())),
       ),
       dimmed: REMAINING_OPACITY[theme],
       lightened: WHITE_SHARE[theme],
@@ -324,14 +324,14 @@ export class View {
     const { renderer } = this.canvas;
     const frame = this.update();
     this.rig.apply();
-    this.stage.follow(this.rig);
-    this.stage.markTcps(frame, (place) => this.rig.mmPerPixelAt(place));
+    this.runScene.follow(this.rig);
+    this.runScene.markTcps(frame, (place) => this.rig.mmPerPixelAt(place));
     const look = this.look(frame);
     const more = this.layer.prepare(look, performance.now());
     renderer.resetState();
     renderer.setRenderTarget(null);
     renderer.clear();
-    renderer.render(this.stage.scene, this.rig.camera);
+    renderer.render(this.runScene.scene, this.rig.camera);
     // Dimmed parts show the background, so that is drawn first.
     this.layer.compose(look);
     this.drawHighlights(frame, look);
@@ -342,11 +342,11 @@ export class View {
   }
 
   private drawHighlights({ instants }: Frame, look: FrameAppearance): void {
-    const { stage, layer, colours } = this;
+    const { runScene, layer, colours } = this;
     instants.forEach(({ segment }, robot) => {
       if (segment >= 0 && look.now_s[robot] !== Infinity) {
-        const known = stage.machines[robot].robot;
-        const ranges = [blockRange(known, stage.paths[robot], known.blocks.of(segment))];
+        const known = runScene.machines[robot].robot;
+        const ranges = [blockRange(known, runScene.paths[robot], known.blocks.of(segment))];
         layer.drawHighlight({ robot, ranges, colour: toRgb(colours.progressColour), width_px: 7, opacity: 0.2 }, look);
       }
       const ranges = this.chosen[robot] ?? [];
@@ -356,20 +356,20 @@ export class View {
 
   private annotate(frame: Frame): void {
     const units = this.store.get("units");
-    const { stage, rig } = this;
+    const { runScene, rig } = this;
     this.triad.turn(rig.basis());
-    const marks = stage.alarms.labels(this.activeLines(frame));
-    const measured = stage.measure.labels(units, frame.work);
-    this.labels.show([...marks, ...stage.extents.labels(units, frame.work), ...measured], rig);
+    const marks = runScene.alarms.labels(this.activeLines(frame));
+    const measured = runScene.measure.labels(units, frame.work);
+    this.labels.show([...marks, ...runScene.extents.labels(units, frame.work), ...measured], rig);
   }
 
   private placeDirections(): void {
     this.rig.apply();
     for (const hold of this.draggables) hold.layOut?.();
     this.invalidate();
-    if (!this.store.get("showDirections") || this.stage.paths.length === 0) return;
-    const { stage, rig, canvas } = this;
-    stage.directions.layOut(stage.paths, this.works(), rig, canvas, this.store.get("showRapids"));
+    if (!this.store.get("showDirections") || this.runScene.paths.length === 0) return;
+    const { runScene, rig, canvas } = this;
+    runScene.directions.layOut(runScene.paths, this.works(), rig, canvas, this.store.get("showRapids"));
   }
 
   /** Returns the path at a position, px from the left and from above. */

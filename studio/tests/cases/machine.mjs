@@ -264,10 +264,10 @@ export default {
         assert.equal((await setup(page)).machine, file);
         const checked = await page.evaluate(async (machine) => {
           const { ok, message, messages } = await window.studio.session.sendRequest({ do: "machine", machine });
-          return { ok, message, told: messages.filter(({ is }) => is === "told").length, inverse: messages.find(({ is }) => is === "machine")?.header.check.inverse };
+          return { ok, message, diagnostics: messages.filter(({ is }) => is === "diagnostic").length, inverse: messages.find(({ is }) => is === "machine")?.header.check.inverse };
         }, file);
         assert.ok(checked.ok, `${kind}: ${checked.message}`);
-        assert.deepEqual([checked.told, checked.inverse.unsolved, checked.inverse.off], [0, 0, 0], kind);
+        assert.deepEqual([checked.diagnostics, checked.inverse.unsolved, checked.inverse.off], [0, 0, 0], kind);
         const ran = await run(page, { program: "try.nc", machine: file }, { "try.nc": program });
         assert.equal(ran.status, "completed", `${kind}: ${ran.error}`);
         const first_axis = await page.evaluate(() => window.studio.store.get("run").robots[0].scene.axes[0]);

@@ -144,7 +144,7 @@ export default {
     const all = [[at(2, "no such code"), "error"], [at(2, "code"), "warning"], [at(null, "x"), "error"], [{ ...at(3, "x"), file: "b.nc" }, "error"]];
     assert.deepEqual(fileFindings("a.nc", all).map(({ line, severity }) => [line, severity]), [[2, "error"]]);
     const told = [at(1, "slow", { severity: "note" }), { ...at(1, "x", { severity: "error" }), file: "b.nc" }];
-    const run = { told, report: { robots: [{ diagnostics: [at(4, "they meet", { severity: "warning" })] }] } };
+    const run = { diagnostics: told, report: { robots: [{ diagnostics: [at(4, "they meet", { severity: "warning" })] }] } };
     assert.deepEqual(runFindings(run, "a.nc").map(({ line, severity }) => [line, severity]), [[1, "note"], [4, "warning"]]);
     const mark = toDiagnostic(Text.of(["G1", "G0 G999 X1"]), { ...all[0][0], severity: "error", code: "", hint: "", column: 4, end_column: 8 }, 2);
     assert.deepEqual([mark.from, mark.to], [6, 10]);

@@ -6,7 +6,7 @@ import { near } from "./made.mjs";
 
 export const modules = ["panels/paths/contour_picks", "panels/paths/contour_camera", "panels/paths/contour_list", "panels/paths/engine_requests"];
 
-const contour = (edges, more = {}) => ({ face: "the plane face #1", isHole: true, edges, length_mm: 30, depth_mm: 6, lean_deg: 12, polyline_mm: new Float64Array(6), ...more });
+const contour = (edges, more = {}) => ({ face: "the plane face #1", isHole: true, edges, length_mm: 30, depth_mm: 6, tilt_deg: 12, polyline_mm: new Float64Array(6), ...more });
 const three = [contour(["#1", "#2"]), contour(["#3"]), contour(["#4", "#5"])];
 const size = { width: 400, height: 200 };
 
@@ -114,8 +114,8 @@ export default {
 
   "the engine's list becomes contours with their lines": async ({ readContours }) => {
     const header = { is: "contours", contours: [
-      { face: "a", is_hole: true, is_open: false, edges: ["#1"], length_mm: 1, depth_mm: 2, lean_deg: 3, points: 2 },
-      { face: "b", is_hole: false, is_open: false, edges: ["#2"], length_mm: 4, depth_mm: 5, lean_deg: 6, points: 3 },
+      { face: "a", is_hole: true, is_open: false, edges: ["#1"], length_mm: 1, depth_mm: 2, tilt_deg: 3, points: 2 },
+      { face: "b", is_hole: false, is_open: false, edges: ["#2"], length_mm: 4, depth_mm: 5, tilt_deg: 6, points: 3 },
     ], notes: ["said"] };
     const columns = new Map([["lines", Float64Array.from({ length: 15 }, (_, i) => i)]]);
     const asked = [];

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 
-const form = ["file/file_names", "form/quantity", "items/pose", "items/shape", "items/tree"].map((name) => `panels/machine/${name}`);
+const form = ["file/file_names", "form/quantity", "form/key_schema", "items/pose", "items/shape", "items/tree"].map((name) => `panels/machine/${name}`);
 export const modules = [...form, "run/body_distance", "core/response_diagnostics", "core/references", "three"];
 
 const near = (a, b, within = 1e-6) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
@@ -69,9 +69,16 @@ export default {
   },
 
   "names of keys tell their unit": ({ keyUnit, keyLabel, unitText }) => {
-    assert.deepEqual(["max_speed_mm_s", "position_gain_1_s", "min_deg", "least_feed_mm_min", "limit_jerk", "rest_s"].map(keyUnit), ["mm/s", "1/s", "deg", "mm/min", "", "s"]);
+    assert.deepEqual(["max_speed_mm_s", "position_gain_1_s", "min_deg", "min_feed_mm_min", "limit_jerk", "standstill_s"].map(keyUnit), ["mm/s", "1/s", "deg", "mm/min", "", "s"]);
     assert.deepEqual(["max_acceleration_mm_s2", "home2_mm", "limit_jerk", "a_mm"].map(keyLabel), ["Max acceleration", "Home 2", "Limit jerk", "A"]);
     assert.deepEqual([unitText("mm/s2", "mm"), unitText("mm/s2", "inch"), unitText("deg/s", "inch"), unitText("percent", "mm")], ["mm/s²", "in/s²", "°/s", "%"]);
+  },
+
+  "a key is changed by the name that the file has": ({ nameIn }) => {
+    assert.equal(nameIn({ rest_s: 1 }, "standstill_s", "rest_s"), "rest_s");
+    assert.equal(nameIn({ standstill_s: 1 }, "standstill_s", "rest_s"), "standstill_s");
+    assert.equal(nameIn({}, "standstill_s", "rest_s"), "standstill_s");
+    assert.equal(nameIn({ settle_s: 1 }, "settle_s"), "settle_s");
   },
 
   "numbers are mm in files, mm or inch on the page": ({ numberText, parseNumber }) => {
@@ -170,7 +177,7 @@ export default {
     const [error] = responseDiagnostics({ ...failed, messages: [] });
     assert.deepEqual([error.file, error.line, error.column, error.text], ["a/my.toml", 12, 3, "unknown key 'x'"]);
     const told = { severity: "error", code: "input_file", file: "a/my.toml", line: 12, column: 3, end_column: 0, text: "unknown key 'x'", hint: "" };
-    assert.deepEqual(responseDiagnostics({ ...failed, messages: [{ is: "told", header: told }] }), [told]);
+    assert.deepEqual(responseDiagnostics({ ...failed, messages: [{ is: "diagnostic", header: told }] }), [told]);
     assert.equal(responseDiagnostics({ ok: false, code: "usage", message: "no place", messages: [] })[0].line, 0);
     assert.deepEqual(responseDiagnostics({ ok: true, code: "", message: "", messages: [] }), []);
   },

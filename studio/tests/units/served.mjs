@@ -42,7 +42,7 @@ const asked = async (request) => JSON.parse(Buffer.concat(await request.toArray(
 
 export default {
   "frames come out whole and aligned however the bytes come": ({ FrameSplitter, readMessage }) => {
-    const all = Buffer.concat([numbers(), frame({ is: "told", text: "a" }), numbers(), done()]);
+    const all = Buffer.concat([numbers(), frame({ is: "diagnostic", text: "a" }), numbers(), done()]);
     for (const size of [1, 2, 3, 5, 7, 8, 13, 64, all.length]) {
       const found = [];
       const cutter = new FrameSplitter();
@@ -52,7 +52,7 @@ export default {
           found.push(readMessage(bytes));
         });
       }
-      assert.deepEqual(found.map(({ is }) => is), ["segments", "told", "segments", "done"], `pieces of ${size}`);
+      assert.deepEqual(found.map(({ is }) => is), ["segments", "diagnostic", "segments", "done"], `pieces of ${size}`);
       assert.deepEqual([...found[2].columns.get("start_s")], [1.5, -2]);
     }
   },
@@ -173,7 +173,7 @@ export default {
 
   "a run is another one by what it reads": ({ affectsRun, kindOfFile, emptySetup }) => {
     const setup = { ...emptySetup(), program: "a.nc", machine: "m.toml" };
-    const ran = { robots: [{ files: ["a.nc", "sub.nc"] }], told: [{ file: "broken.nc" }] };
+    const ran = { robots: [{ files: ["a.nc", "sub.nc"] }], diagnostics: [{ file: "broken.nc" }] };
     const axis = "[[axis]]\n";
     const of = (name, content = "G1", given = setup) => affectsRun(name, kindOfFile(name, content), given, ran);
     assert.deepEqual(["a.nc", "sub.nc", "broken.nc", "other.nc"].map((name) => of(name)), [true, true, true, false]);

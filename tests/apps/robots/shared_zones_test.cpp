@@ -43,7 +43,7 @@ TEST_F(SharedZones, TheSecondWaitsUntilTheFirstHasLeft) {
         EXPECT_EQ(uses[i]["zone"], "fixture");
         EXPECT_EQ(uses[i]["process"], i == 0 ? "l" : "r");
         EXPECT_EQ(uses[i]["line"], i == 0 ? 3 : 10);
-        EXPECT_NEAR(uses[i]["asked_s"].get<double>(), there_s, 1e-9);
+        EXPECT_NEAR(uses[i]["requested_s"].get<double>(), there_s, 1e-9);
         EXPECT_NEAR(uses[i]["from_s"].get<double>(), there_s + static_cast<double>(i) * work_s, 1e-9);
         EXPECT_NEAR(uses[i]["to_s"].get<double>(), there_s + static_cast<double>(i + 1) * work_s, 1e-9);
         EXPECT_TRUE(report["robots"][i]["collisions"].empty());

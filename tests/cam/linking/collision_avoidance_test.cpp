@@ -133,7 +133,7 @@ TEST_F(ClearWays, WithNothingInTheWayTheProgramStaysAsItIs) {
     const path::Program before = program;
     const LinkingResult linking = lead(program, box("far", "50, 50, 50", 900, 900, 25));
     EXPECT_EQ(program, before);
-    EXPECT_EQ(linking.ways, 3U);
+    EXPECT_EQ(linking.linking_paths, 3U);
     EXPECT_EQ(linking.changed, 0U);
     EXPECT_TRUE(linking.errors.empty());
 }

@@ -232,7 +232,7 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     };
     // One of the bracket's holes is tapered, by 12 degrees.
     const Ended one =
-        autopath("return function(contour) return contour.lean_deg > 10 and contour.lean_deg < 14 end");
+        autopath("return function(contour) return contour.tilt_deg > 10 and contour.tilt_deg < 14 end");
     EXPECT_EQ(one.status, 0) << one.err;
     EXPECT_TRUE(contains(one.err, "1 contours, 1 pierces")) << one.err;
     std::filesystem::remove(folder_ / "part.path.json");

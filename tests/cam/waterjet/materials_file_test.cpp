@@ -94,6 +94,18 @@ TEST(MaterialsFile, MeasuredCutAsATableOfItsOwn) {
     EXPECT_EQ(materials.materials.back().measured, (MeasuredCut{{345, 0.35, 1.05, 370, 1}, 120, 10, 3}));
 }
 
+TEST(MaterialsFile, AcceptsOldNamesOfKeysAndWarns) {
+    std::string text(built_in_materials_toml());
+    for (const auto& [name, old_name] :
+         {std::pair("min_feed_share", "least_feed_share"), std::pair("\nmin_s", "\nleast_s"),
+          std::pair("dynamic_share", "moving_share")})
+        text.replace(text.find(name), std::string_view(name).size(), old_name);
+    Materials old = read_materials(text, "f").value();
+    EXPECT_EQ(old.warnings.size(), 3);
+    old.warnings.clear();
+    EXPECT_EQ(old, read_materials(built_in_materials_toml(), "f").value());
+}
+
 TEST(MaterialsFile, NoFile) {
     EXPECT_FALSE(load_materials("no-such-file.toml"));
     EXPECT_FALSE(read_materials("", "f"));

@@ -31,7 +31,7 @@ void expect_same(const Outcome& a, const Outcome& b) {
     EXPECT_EQ(a.message(), b.message());
     EXPECT_EQ(a.line(), b.line());
     EXPECT_EQ(a.report.cycle_time_s, b.report.cycle_time_s);
-    EXPECT_EQ(a.report.blocks, b.report.blocks);
+    EXPECT_EQ(a.report.counts.blocks, b.report.counts.blocks);
     EXPECT_EQ(a.events(), b.events());
     ASSERT_EQ(a.moves.size(), b.moves.size());
     for (std::size_t i = 0; i < a.moves.size(); ++i) {
@@ -141,8 +141,8 @@ TEST(Chunks, OthersRunBetweenLines) {
     for (const std::size_t lines : {1U, 7U, 81U}) {
         const Outcome in_parts = run_script(in_pieces(gcode, lines), conditions);
         expect_same(full, in_parts);
-        EXPECT_EQ(full.report.processes.size(), in_parts.report.processes.size());
-        EXPECT_EQ(full.report.signals.size(), in_parts.report.signals.size());
+        EXPECT_EQ(full.report.concurrency.processes.size(), in_parts.report.concurrency.processes.size());
+        EXPECT_EQ(full.report.concurrency.signals.size(), in_parts.report.concurrency.signals.size());
     }
 }
 

@@ -50,7 +50,7 @@ TEST(ContourSelection, ItIsToldAllFacts) {
           if not c.is_hole then return false end
           assert(c.face == "the plane face #40 at (1, 2, 3)")
           assert(c.low_mm.x == 1 and c.low_mm.y == 2 and c.low_mm.z == 3 and c.high_mm.x == 11 and c.high_mm.y == 12)
-          assert(c.normal.z == 1 and c.depth_mm == 6 and c.lean_deg == 12 and c.length_mm == 30)
+          assert(c.normal.z == 1 and c.depth_mm == 6 and c.tilt_deg == 12 and c.lean_deg == 12 and c.length_mm == 30)
           assert(#c.edges == 2 and c.edges[2].name == "edge #2 of the plane face #42" and c.edges[2].length_mm == 10)
           return true
         end)lua"),

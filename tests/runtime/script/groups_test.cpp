@@ -296,7 +296,7 @@ TEST(Groups, WhatNeedsAnIndependentGroupWaitsForIt) {
     const double turn_s = 180 / 120.0 + 120 / 200.0;
     const GroupRun waits(kByItself + "t.move{z=180}\nt.wait()\n");
     ASSERT_TRUE(waits.run.completed()) << waits.run.message();
-    EXPECT_NEAR(waits.run.report.dwell_s, turn_s, 1e-9);
+    EXPECT_NEAR(waits.run.report.times.dwell_s, turn_s, 1e-9);
     EXPECT_NEAR(waits.run.to(0, 'Z'), 180, 1e-9);
     const GroupRun ends(kByItself + "t.move{z=180}\n");
     EXPECT_NEAR(ends.run.report.cycle_time_s, turn_s, 1e-9) << "the run ends when it stands";

@@ -131,7 +131,7 @@ TEST(Neutral, AnArmGoesToItsPosesAndNamesThoseItCannotReach) {
     const Outcome r = run_lua("MoveJoint{x=500, y=100, z=300, pitch=150}", arm);
     ASSERT_TRUE(r.completed()) << r.message();
     expect_pose(pose_after(r, 0), {500, 100, 300, 0, 150, 0});
-    EXPECT_TRUE(r.report.warnings.empty());
+    EXPECT_TRUE(r.report.messages.warnings.empty());
     expect_alarm(run_lua("\nMoveJoint{x=3000}", arm), 2, {"The pose is out of reach", " mm and ", "aligned"});
 }
 
@@ -147,8 +147,8 @@ TEST(Neutral, ASingularPoseIsAWarningThatNamesItsLineAndItsAxes) {
     const Outcome r = run_lua("\nMoveJoint" + text({rpy.x_mm, rpy.y_mm, rpy.z_mm, rpy.roll_rad / kRadPerDeg,
                                                     rpy.pitch_rad / kRadPerDeg, rpy.yaw_rad / kRadPerDeg}),
                               arm);
-    ASSERT_EQ(r.report.warnings.size(), 1U);
-    EXPECT_EQ(r.report.warnings[0],
+    ASSERT_EQ(r.report.messages.warnings.size(), 1U);
+    EXPECT_EQ(r.report.messages.warnings[0],
               "part.lua:2: the pose is singular: axes U and W are aligned and can turn against each other "
               "without moving the tool");
 }

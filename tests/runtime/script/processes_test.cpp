@@ -8,7 +8,7 @@ namespace {
 /// The times of all changes of a signal.
 std::vector<double> times(const Outcome& r, const std::string& signal) {
     std::vector<double> list;
-    for (const simulation::SignalChange& change : r.report.signals) {
+    for (const simulation::SignalChange& change : r.report.concurrency.signals) {
         if (change.signal == signal) list.push_back(change.t_s);
     }
     return list;
@@ -38,11 +38,11 @@ TEST(Processes, ARobotStandsIdleUntilItIsCalled) {
         "F(6000) G1{x=100} wait_until('part', 7) G1{x=200} wait(0.5)\n");
     ASSERT_TRUE(r.completed()) << r.message();
     EXPECT_NEAR(r.report.cycle_time_s, 4 + move_s(100) + 0.5, 1e-9);
-    EXPECT_NEAR(r.report.dwell_s, 4 - move_s(100) + 0.5, 1e-9);
-    ASSERT_EQ(r.report.processes.size(), 2U);
-    EXPECT_EQ(r.report.processes[0].name, "main");
-    EXPECT_NEAR(r.report.processes[0].idle_s, 4 - move_s(100), 1e-9);
-    EXPECT_EQ(r.report.processes[1].state, "done");
+    EXPECT_NEAR(r.report.times.dwell_s, 4 - move_s(100) + 0.5, 1e-9);
+    ASSERT_EQ(r.report.concurrency.processes.size(), 2U);
+    EXPECT_EQ(r.report.concurrency.processes[0].name, "main");
+    EXPECT_NEAR(r.report.concurrency.processes[0].idle_s, 4 - move_s(100), 1e-9);
+    EXPECT_EQ(r.report.concurrency.processes[1].state, "done");
 }
 
 TEST(Processes, OfEqualTimesTheFirstCreatedGoesFirst) {
@@ -161,7 +161,7 @@ TEST(Processes, LimitsHoldInAllOfThem) {
 TEST(Processes, WithoutThemTheReportHasNone) {
     const Outcome r = run_lua("F(6000) G1{x=100} wait(1)\nsignal('x')\n");
     ASSERT_TRUE(r.completed()) << r.message();
-    EXPECT_TRUE(r.report.processes.empty());
+    EXPECT_TRUE(r.report.concurrency.processes.empty());
     EXPECT_NEAR(r.report.cycle_time_s, move_s(100) + 1, 1e-9);
 }
 
@@ -175,7 +175,7 @@ TEST(Processes, InputsAndOutputsAreSignals) {
     ASSERT_TRUE(r.completed()) << r.message();
     EXPECT_NEAR(r.end()[0], 10, 1e-9);  // it came
     EXPECT_NEAR(r.end()[1], 21, 1e-9);  // it did not: -1
-    EXPECT_NEAR(r.report.processes.at(0).idle_s, 3, 1e-9);
+    EXPECT_NEAR(r.report.concurrency.processes.at(0).idle_s, 3, 1e-9);
 }
 
 TEST(Processes, ProgramsWaitInThePiecesOfALongScript) {

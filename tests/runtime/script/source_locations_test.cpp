@@ -25,7 +25,7 @@ TEST(Places, ErrorsOfLuaHaveTheirLine) {
     expect_alarm(run_lua("function f()\nG0{x=9999}\nend\n\nf()\n"), 2, {"axis X"});
     const Outcome r = run_lua("\n\nlocal x = {} .. 5\n");
     EXPECT_EQ(r.message().find("#0"), std::string::npos) << r.message();
-    EXPECT_EQ(r.report.files.at(r.report.alarm->location.file), "part.lua");
+    EXPECT_EQ(r.report.source.files.at(r.report.alarm->location.file), "part.lua");
 }
 
 TEST(Places, ATailCallIsOfALineThatExists) {

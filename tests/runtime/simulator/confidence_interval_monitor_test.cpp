@@ -18,7 +18,8 @@ constexpr double kSpreads = 1.959964;
 
 std::string machine_text(double acceleration_percent2, double residual_percent) {
     return "[machine]\nname = \"m\"\n[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"x\"\n"
-           "max_speed_mm_s = 100\nmax_acceleration_mm_s2 = 500\n[calibration]\nruns = 9\nleft_percent = " +
+           "max_speed_mm_s = 100\nmax_acceleration_mm_s2 = 500\n[calibration]\nruns = 9\nresidual_percent "
+           "= " +
            std::to_string(residual_percent) +
            "\n[[calibrated]]\nof = \"X\"\nkey = \"max_acceleration_mm_s2\"\ncovariance_percent2 = [" +
            std::to_string(acceleration_percent2) + "]\n";
@@ -39,25 +40,25 @@ Report run(const std::string& machine, double dwell_s = 0, bool turned = false) 
 
 TEST(ConfidenceIntervalMonitor, ASpreadOfAnAccelerationIsOneOfTheTime) {
     const Report report = run(machine_text(100, 0));
-    ASSERT_TRUE(report.interval);
+    ASSERT_TRUE(report.times.interval);
     EXPECT_NEAR(report.cycle_time_s, 3.2, 1e-9);
     // d log T / d log a = -(v / a) / T; the difference is over 1 %.
-    const double standard_deviation = kSpreads * 0.1 * 0.2 / 3.2;
-    EXPECT_NEAR(std::log(report.interval->max_s / 3.2), standard_deviation, 0.01 * standard_deviation);
-    EXPECT_NEAR(std::log(report.interval->min_s / 3.2), -standard_deviation, 0.01 * standard_deviation);
+    const double log_half_width = kSpreads * 0.1 * 0.2 / 3.2;
+    EXPECT_NEAR(std::log(report.times.interval->max_s / 3.2), log_half_width, 0.01 * log_half_width);
+    EXPECT_NEAR(std::log(report.times.interval->min_s / 3.2), -log_half_width, 0.01 * log_half_width);
 }
 
 TEST(ConfidenceIntervalMonitor, WhatTheFitLeftIsAddedInQuadrature) {
     const Report report = run(machine_text(100, 1));
-    ASSERT_TRUE(report.interval);
-    const double standard_deviation = kSpreads * std::hypot(0.1 * 0.2 / 3.2, 0.01);
-    EXPECT_NEAR(std::log(report.interval->max_s / 3.2), standard_deviation, 0.01 * standard_deviation);
+    ASSERT_TRUE(report.times.interval);
+    const double log_half_width = kSpreads * std::hypot(0.1 * 0.2 / 3.2, 0.01);
+    EXPECT_NEAR(std::log(report.times.interval->max_s / 3.2), log_half_width, 0.01 * log_half_width);
 }
 
 TEST(ConfidenceIntervalMonitor, ADwellIsSure) {
     const Report report = run(machine_text(100, 0), 10);
-    ASSERT_TRUE(report.interval);
-    EXPECT_NEAR(report.interval->max_s - 13.2, kSpreads * 0.1 * 0.2, 5e-4);
+    ASSERT_TRUE(report.times.interval);
+    EXPECT_NEAR(report.times.interval->max_s - 13.2, kSpreads * 0.1 * 0.2, 5e-4);
 }
 
 TEST(ConfidenceIntervalMonitor, IsInTheReport) {
@@ -68,16 +69,16 @@ TEST(ConfidenceIntervalMonitor, IsInTheReport) {
 
 TEST(ConfidenceIntervalMonitor, SaysWhyThereIsNone) {
     const Report report = run(machine_text(100, 0), 0, true);
-    EXPECT_FALSE(report.interval);
-    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("no interval: overrides are changed")));
+    EXPECT_FALSE(report.times.interval);
+    EXPECT_THAT(report.messages.warnings, testing::Contains(HasSubstr("no interval: overrides are changed")));
 }
 
 TEST(ConfidenceIntervalMonitor, AMachineThatIsNotCalibratedHasNone) {
     std::string text = machine_text(100, 0);
     text.resize(text.find("[calibration]"));
     const Report report = run(text);
-    EXPECT_FALSE(report.interval);
-    EXPECT_TRUE(report.warnings.empty());
+    EXPECT_FALSE(report.times.interval);
+    EXPECT_TRUE(report.messages.warnings.empty());
     EXPECT_THAT(to_json(report), testing::Not(HasSubstr("cycle_time_95_s")));
 }
 

@@ -67,8 +67,8 @@ TEST(EffortMonitor, OneMoveIsItsClosedForm) {
     rapid(*simulator, 500, 0, 7);  // 0.25 s up, 0.75 s, 0.25 s down
     simulator->dwells().enqueue(1, {0, 8});
     const Report report = simulator->finish("part.nc");
-    ASSERT_TRUE(report.efforts);
-    const AxisEffort& x = report.efforts->axes[0];
+    ASSERT_TRUE(report.drives.efforts);
+    const AxisEffort& x = report.drives.efforts->axes[0];
     EXPECT_NEAR(x.peak, 230, 1e-6);
     EXPECT_LT(x.peak_t_s, 0.25 + 1e-6);
     EXPECT_EQ(x.peak_location.line, 7U);
@@ -78,11 +78,11 @@ TEST(EffortMonitor, OneMoveIsItsClosedForm) {
     EXPECT_NEAR(x.drive_j, 12.5 + 30 * 0.4375, 1e-7);  // but the 0.0625 m in which 170 N brake
     EXPECT_NEAR(x.regenerated_j, 170 * 0.0625, 1e-7);
     EXPECT_NEAR(x.friction_j, 15, 1e-9);
-    const AxisEffort& z = report.efforts->axes[1];
+    const AxisEffort& z = report.drives.efforts->axes[1];
     EXPECT_NEAR(z.peak, 20 * 9.80665, 1e-9);
     EXPECT_NEAR(z.rms, 20 * 9.80665, 1e-7);
     EXPECT_EQ(z.drive_j, 0);
-    EXPECT_EQ(report.efforts->jumps, 0U);
+    EXPECT_EQ(report.drives.efforts->jumps, 0U);
 }
 
 TEST(EffortMonitor, MoveThatIsTooHardIsNamedWithWhatWouldDo) {
@@ -90,8 +90,8 @@ TEST(EffortMonitor, MoveThatIsTooHardIsNamedWithWhatWouldDo) {
     rapid(*simulator, 1, 0, 3);
     rapid(*simulator, 1, 100, 4);
     const Report report = simulator->finish("part.nc");
-    ASSERT_EQ(report.efforts->excesses.size(), 1U);
-    const EffortExcess& excess = report.efforts->excesses[0];
+    ASSERT_EQ(report.drives.efforts->excesses.size(), 1U);
+    const EffortExcess& excess = report.drives.efforts->excesses[0];
     EXPECT_EQ(excess.location.line, 3U);
     EXPECT_NEAR(*excess.acceleration_share, (200 - 30) / 200.0, 1e-6);
     EXPECT_EQ(excess_text(excess), "axis X needs 230 N of 200 N; 0.85 of its acceleration is possible");
@@ -111,7 +111,7 @@ TEST(EffortMonitor, ShareThatIsToldIsEnough) {
         const auto simulator = simulator_of(machine);
         rapid(*simulator, 1, 0, 3);
         const Report report = simulator->finish("part.nc");
-        EXPECT_EQ(std::any_of(report.efforts->excesses.begin(), report.efforts->excesses.end(),
+        EXPECT_EQ(std::any_of(report.drives.efforts->excesses.begin(), report.drives.efforts->excesses.end(),
                               [](const EffortExcess& excess) { return !excess.continuous; }),
                   share > 0.85);
     }
@@ -124,7 +124,7 @@ TEST(EffortMonitor, WeightThatIsTooMuchIsNoMatterOfAcceleration) {
     rapid(*simulator, 0, 1, 5);
     const Report report = simulator->finish("part.nc");
     EXPECT_EQ(
-        excess_text(report.efforts->excesses[0]),
+        excess_text(report.drives.efforts->excesses[0]),
         "axis Z needs 236.1 N of 190 N; weight, friction and speed alone exceed it, with any acceleration");
 }
 
@@ -134,10 +134,10 @@ TEST(EffortMonitor, MeanOfTheRunAgainstWhatTheMotorDoesWithoutEnd) {
     const auto simulator = simulator_of(machine);
     for (int i = 0; i < 10; ++i) rapid(*simulator, i % 2 == 0 ? 20 : 0, 0, 3);
     const Report report = simulator->finish("part.nc");
-    ASSERT_EQ(report.efforts->excesses.size(), 1U);
+    ASSERT_EQ(report.drives.efforts->excesses.size(), 1U);
     // Half of the time 230 N, half 170 N.
     EXPECT_EQ(
-        excess_text(report.efforts->excesses[0]),
+        excess_text(report.drives.efforts->excesses[0]),
         "axis X needs 202.2 N as a root mean square of the complete run, of 120 N continuous of its motor");
     EXPECT_THAT(to_json(report), HasSubstr("\"code\": \"motor-continuous\""));
 }
@@ -158,8 +158,8 @@ TEST(EffortMonitor, JumpsOfSpeedAreImpulsesAndWork) {
     const auto simulator = simulator_of(machine);
     rapid(*simulator, 500, 0, 3);
     const Report report = simulator->finish("part.nc");
-    EXPECT_EQ(report.efforts->jumps, 2U);
-    const AxisEffort& x = report.efforts->axes[0];
+    EXPECT_EQ(report.drives.efforts->jumps, 2U);
+    const AxisEffort& x = report.drives.efforts->axes[0];
     EXPECT_NEAR(x.impulse, 100 * 0.5, 1e-9);
     EXPECT_NEAR(x.peak, 30, 1e-9);
     EXPECT_NEAR(x.drive_j, 12.5 + 15, 1e-7);
@@ -177,7 +177,7 @@ TEST(EffortMonitor, EnergyOfEachProgram) {
     }
     rapid(*simulator, 0, 0, 4);
     const Report report = simulator->finish("part.nc");
-    const std::vector<ProgramEnergy>& programs = report.efforts->programs;
+    const std::vector<ProgramEnergy>& programs = report.drives.efforts->programs;
     ASSERT_EQ(programs.size(), 2U);
     EXPECT_EQ(programs[0].program, "");
     EXPECT_NEAR(programs[0].drive_j - programs[0].regenerated_j, 30, 1e-7);

@@ -112,8 +112,8 @@ TEST(EffortsBalance, OfRandomProgramsUnderEachController) {
         simulator.add_output(friction);
         RandomMoves(random, simulator).make(kMoves);
         const Report report = simulator.finish("random");
-        ASSERT_TRUE(report.efforts);
-        const EffortReport& efforts = *report.efforts;
+        ASSERT_TRUE(report.drives.efforts);
+        const EffortReport& efforts = *report.drives.efforts;
         jumps += efforts.jumps;
         const double through_j = efforts.drive_j + efforts.regenerated_j;
         const double gained_j = potential_j(machine, friction.end_at) - potential_j(machine, friction.start);

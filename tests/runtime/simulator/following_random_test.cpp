@@ -31,19 +31,19 @@ machine::Machine random_servos(std::mt19937& random, std::size_t program) {
 }
 
 /// Steps of half the time change no relevant value, neither of an axis nor of the TCP.
-TEST(FollowingMonitor, HalfTheStepChangesNothing) {
+TEST(FollowingErrorMonitor, HalfTheStepChangesNothing) {
     constexpr std::size_t kPrograms = 10;
     double max = 0;
     for (std::size_t program = 0; program < kPrograms; ++program) {
         std::mt19937 random(static_cast<unsigned>(program));
         const machine::Machine machine = random_servos(random, program);
         Simulator simulator(machine, {});
-        FollowingMonitor half(simulator.monitors().following_setup().value(),
-                              dynamics::ServoMotion::kStep_s / 2);
+        FollowingErrorMonitor half(simulator.monitors().following_setup().value(),
+                                   dynamics::ServoMotion::kStep_s / 2);
         simulator.add_output(half);
         RandomMoves(random, simulator).make(12);
         const Report report = simulator.finish("random");
-        const FollowingReport& full = report.following.value();
+        const FollowingReport& full = report.drives.following.value();
         for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) {
             // If both sides have equal peaks, the step may decide which of them counts.
             EXPECT_NEAR(std::abs(full.axes[axis].peak), std::abs(half.report().axes[axis].peak), 1e-6)
@@ -60,7 +60,7 @@ TEST(FollowingMonitor, HalfTheStepChangesNothing) {
 
 // The TCP is no farther from the program than the sum of two distances: from the path of the set points, and
 // of this path from the program.
-TEST(FollowingMonitor, FromTheProgramItIsNoFartherThanBothTogether) {
+TEST(FollowingErrorMonitor, FromTheProgramItIsNoFartherThanBothTogether) {
     constexpr std::array kModels{"blend", "linuxcnc-2.9"};
     double rounded = 0;
     for (std::size_t program = 0; program < 16; ++program) {
@@ -72,9 +72,9 @@ TEST(FollowingMonitor, FromTheProgramItIsNoFartherThanBothTogether) {
         for (std::uint32_t line = 1; line < 30; ++line)
             feed(simulator, between(random, -20, 20), between(random, -20, 20), line);
         const Report report = simulator.finish("random");
-        const double both_mm = report.following->feed.error_mm + report.blends.feed.deviation_mm;
-        EXPECT_LE(report.following->program->error_mm, both_mm + 1e-6) << program;
-        EXPECT_GE(report.following->program->error_mm, report.blends.feed.deviation_mm / 4) << program;
+        const double both_mm = report.drives.following->feed.error_mm + report.blends.feed.deviation_mm;
+        EXPECT_LE(report.drives.following->program->error_mm, both_mm + 1e-6) << program;
+        EXPECT_GE(report.drives.following->program->error_mm, report.blends.feed.deviation_mm / 4) << program;
         rounded = std::max(rounded, report.blends.feed.deviation_mm);
     }
     EXPECT_GT(rounded, 0.1);
@@ -123,7 +123,7 @@ struct Witness : RunOutput {
     double set_speed = 0, error = 0;
 };
 
-TEST(FollowingMonitor, RandomProgramsAgainstFineSteps) {
+TEST(FollowingErrorMonitor, RandomProgramsAgainstFineSteps) {
     constexpr std::size_t kWitnessed = 10 / kFewerBy;
     for (std::size_t program = 0; program < kWitnessed; ++program) {
         std::mt19937 random(static_cast<unsigned>(100 + program));
@@ -134,7 +134,7 @@ TEST(FollowingMonitor, RandomProgramsAgainstFineSteps) {
         simulator.add_output(x);
         simulator.add_output(c);
         RandomMoves(random, simulator).make(12);
-        const FollowingReport report = simulator.finish("random").following.value();
+        const FollowingReport report = simulator.finish("random").drives.following.value();
         constexpr double kDegPerRad = 180 / std::numbers::pi;
         EXPECT_NEAR(report.axes[0].end, x.error, 5e-5 * (1 + std::abs(report.axes[0].peak))) << program;
         EXPECT_NEAR(report.axes[4].end, c.error * kDegPerRad, 5e-5 * (1 + std::abs(report.axes[4].peak)))

@@ -103,7 +103,8 @@ class KeptLimits : public testing::TestWithParam<Excess> {
 /// time at its stops.
 void expect_sums(const Samples& samples, const Report& report, double standstill_s) {
     const double rounding_s = 1e-6 + 1e-9 * report.cycle_time_s;
-    EXPECT_NEAR(report.rapid_s + report.feed_s + report.dwell_s, report.cycle_time_s, rounding_s);
+    EXPECT_NEAR(report.times.rapid_s + report.times.feed_s + report.times.dwell_s, report.cycle_time_s,
+                rounding_s);
     EXPECT_LE(samples.moves_s, report.cycle_time_s + rounding_s);
     EXPECT_GE(samples.moves_s, report.cycle_time_s - kMoves * standstill_s - rounding_s);
 }

@@ -82,12 +82,12 @@ TEST_P(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
     EXPECT_EQ(report.status, RunStatus::completed);
     const double rapid_s = 300 / kRapid_mm_s;
     EXPECT_NEAR(report.cycle_time_s, 5 + 2.5 + rapid_s, 1e-9);
-    EXPECT_NEAR(report.feed_s, 5, 2 * kStep_s);
-    EXPECT_NEAR(report.dwell_s, 2.5, 2 * kStep_s);
-    EXPECT_NEAR(report.rapid_s, rapid_s, 2 * kStep_s);
-    EXPECT_NEAR(report.feed_mm, 500, 2 * kStep_s * kRapid_mm_s);
-    EXPECT_NEAR(report.feed_mm + report.rapid_mm, 800, 1e-9);
-    EXPECT_EQ(report.moves, 3U);
+    EXPECT_NEAR(report.times.feed_s, 5, 2 * kStep_s);
+    EXPECT_NEAR(report.times.dwell_s, 2.5, 2 * kStep_s);
+    EXPECT_NEAR(report.times.rapid_s, rapid_s, 2 * kStep_s);
+    EXPECT_NEAR(report.distances.feed_mm, 500, 2 * kStep_s * kRapid_mm_s);
+    EXPECT_NEAR(report.distances.feed_mm + report.distances.rapid_mm, 800, 1e-9);
+    EXPECT_EQ(report.counts.moves, 3U);
     EXPECT_NEAR(report.bounds[1].max, 400, 1);
     EXPECT_EQ(report.slowest[0].limited_by, "unknown");
 }
@@ -123,7 +123,8 @@ TEST_P(SmallModule, PathModesItLacksAreAWarning) {
     simulator.moves().enqueue(line_to(10, 0));
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::completed);
-    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("does not support path modes (G61, G64)")));
+    EXPECT_THAT(report.messages.warnings,
+                testing::Contains(HasSubstr("does not support path modes (G61, G64)")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, SmallModule, rrs::both_places(), rrs::place_name);
@@ -284,11 +285,11 @@ TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
     const Report is_sampled = stepped.finish("p");
     ASSERT_EQ(is_sampled.status, RunStatus::completed) << is_sampled.alarm->message;
     EXPECT_NEAR(is_sampled.cycle_time_s, exact.cycle_time_s, 1e-6);
-    EXPECT_NEAR(is_sampled.feed_s, exact.feed_s, 5 * kStep_s);
-    EXPECT_NEAR(is_sampled.rapid_s, exact.rapid_s, 5 * kStep_s);
-    EXPECT_NEAR(is_sampled.dwell_s, exact.dwell_s, 5 * kStep_s);
-    EXPECT_NEAR(is_sampled.feed_mm, exact.feed_mm, 0.5);
-    EXPECT_EQ(is_sampled.moves, exact.moves);
+    EXPECT_NEAR(is_sampled.times.feed_s, exact.times.feed_s, 5 * kStep_s);
+    EXPECT_NEAR(is_sampled.times.rapid_s, exact.times.rapid_s, 5 * kStep_s);
+    EXPECT_NEAR(is_sampled.times.dwell_s, exact.times.dwell_s, 5 * kStep_s);
+    EXPECT_NEAR(is_sampled.distances.feed_mm, exact.distances.feed_mm, 0.5);
+    EXPECT_EQ(is_sampled.counts.moves, exact.counts.moves);
     EXPECT_NEAR(is_sampled.events[0].t_s, exact.events[0].t_s, 1e-6);
     for (std::size_t axis = 0; axis < exact.bounds.size(); ++axis)
         EXPECT_NEAR(is_sampled.bounds[axis].max, exact.bounds[axis].max, 0.01);

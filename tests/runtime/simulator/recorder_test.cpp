@@ -63,15 +63,15 @@ TEST_F(RecorderTest, SumsTimesAndLengthsByKind) {
     recorder.on_segment(standstill(3, 7, joints(100, 200), 0.75));
     recorder.on_segment(line(4, 7.75, joints(100, 200), joints(200, 200)));
     const Report report = finish();
-    EXPECT_EQ(report.machine, machine.name);
+    EXPECT_EQ(report.source.machine, machine.name);
     EXPECT_DOUBLE_EQ(report.cycle_time_s, 10.25);
-    EXPECT_DOUBLE_EQ(report.rapid_s, 2.5);
-    EXPECT_DOUBLE_EQ(report.feed_s, 7);
-    EXPECT_DOUBLE_EQ(report.dwell_s, 0.75);
-    EXPECT_DOUBLE_EQ(report.rapid_mm, 100);
-    EXPECT_DOUBLE_EQ(report.feed_mm, 300);
-    EXPECT_DOUBLE_EQ(report.process_on_mm, 200);
-    EXPECT_EQ(report.moves, 4u);
+    EXPECT_DOUBLE_EQ(report.times.rapid_s, 2.5);
+    EXPECT_DOUBLE_EQ(report.times.feed_s, 7);
+    EXPECT_DOUBLE_EQ(report.times.dwell_s, 0.75);
+    EXPECT_DOUBLE_EQ(report.distances.rapid_mm, 100);
+    EXPECT_DOUBLE_EQ(report.distances.feed_mm, 300);
+    EXPECT_DOUBLE_EQ(report.distances.process_on_mm, 200);
+    EXPECT_EQ(report.counts.moves, 4u);
     EXPECT_DOUBLE_EQ(output.ended_at_s, 10.25);
     ASSERT_EQ(output.moves.size(), 4u);
     EXPECT_DOUBLE_EQ(output.moves[2].start_s, 7);
@@ -85,8 +85,8 @@ TEST_F(RecorderTest, AllSegmentsOfATargetAreOneMoveAndItsRestIsDwell) {
     recorder.on_segment(line(1, 0, joints(0, 0), joints(100, 0)));
     recorder.on_segment(standstill(1, 2.5, joints(100, 0), 1));
     const Report report = finish();
-    EXPECT_DOUBLE_EQ(report.feed_s, 2.5);
-    EXPECT_DOUBLE_EQ(report.dwell_s, 1);
+    EXPECT_DOUBLE_EQ(report.times.feed_s, 2.5);
+    EXPECT_DOUBLE_EQ(report.times.dwell_s, 1);
     ASSERT_EQ(output.moves.size(), 1u);
     EXPECT_DOUBLE_EQ(output.moves[0].end_s, 3.5);
     EXPECT_DOUBLE_EQ(output.moves[0].length_mm, 100);
@@ -99,7 +99,7 @@ TEST_F(RecorderTest, MoveToTheSamePlaceDoesNotCountButADwellDoes) {
     recorder.on_segment(line(1, 0, joints(0, 0), joints(0, 0)));
     recorder.on_segment(standstill(2, 0, joints(0, 0), 0));
     recorder.on_segment(line(3, 0, joints(0, 0), joints(100, 0)));
-    EXPECT_EQ(finish().moves, 2u);
+    EXPECT_EQ(finish().counts.moves, 2u);
     ASSERT_EQ(output.moves.size(), 2u);
     EXPECT_EQ(output.moves[0].info.target_id, 2);
     EXPECT_EQ(output.moves[1].n, 2u);
@@ -108,7 +108,7 @@ TEST_F(RecorderTest, MoveToTheSamePlaceDoesNotCountButADwellDoes) {
 TEST_F(RecorderTest, TargetsWithoutASegmentArePassedOver) {
     for (rrs::TargetId id = 1; id <= 4; ++id) recorder.expect(info(id, MoveKind::linear));
     recorder.on_segment(line(3, 0, joints(0, 0), joints(100, 0)));
-    EXPECT_EQ(finish().moves, 1u);
+    EXPECT_EQ(finish().counts.moves, 1u);
     EXPECT_THAT(output.segment_ids, ElementsAre(3));
 }
 
@@ -117,9 +117,9 @@ TEST_F(RecorderTest, SegmentThatNobodyExpectsCountsInTimeAlone) {
     recorder.on_segment(line(99, 0, joints(0, 0), joints(100, 0)));
     recorder.on_segment(line(2, 2.5, joints(100, 0), joints(0, 0)));
     const Report report = finish();
-    EXPECT_DOUBLE_EQ(report.feed_s, 2.5);
-    EXPECT_DOUBLE_EQ(report.rapid_s, 2.5);
-    EXPECT_EQ(report.moves, 1u);
+    EXPECT_DOUBLE_EQ(report.times.feed_s, 2.5);
+    EXPECT_DOUBLE_EQ(report.times.rapid_s, 2.5);
+    EXPECT_EQ(report.counts.moves, 1u);
 }
 
 TEST_F(RecorderTest, AMoveIsLimitedByWhatLimitsItsLongestSegment) {
@@ -147,7 +147,7 @@ TEST_F(RecorderTest, AMoveIsLimitedByWhatLimitsItsLongestSegment) {
 TEST_F(RecorderTest, EmptyRun) {
     const Report report = finish();
     EXPECT_EQ(report.cycle_time_s, 0);
-    EXPECT_EQ(report.moves, 0u);
+    EXPECT_EQ(report.counts.moves, 0u);
     EXPECT_TRUE(report.slowest.empty());
     EXPECT_EQ(output.ended_at_s, 0);
     ASSERT_EQ(report.bounds.size(), 5u);
@@ -219,7 +219,7 @@ TEST_F(RecorderTest, SumsOfManyMovesDoNotDrift) {
         recorder.expect(info(i, MoveKind::dwell));
         recorder.on_segment(standstill(i, i * 0.1, joints(0, 0), 0.1));
     }
-    EXPECT_DOUBLE_EQ(finish().dwell_s, kCount * 0.1);
+    EXPECT_DOUBLE_EQ(finish().times.dwell_s, kCount * 0.1);
 }
 
 // The planner's own segments: 300 mm of rapid at 508 mm/s and 490.33 mm/s2 do not reach full speed.
@@ -246,10 +246,10 @@ TEST(Recorder, RecordsWhatThePlannerMakes) {
     Report report;
     recorder.finish(report);
     const double a = 490.33;
-    EXPECT_NEAR(report.rapid_s, 2 * std::sqrt(300 / a), 1e-9);
-    EXPECT_NEAR(report.feed_s, 200 / 100.0 + 100 / a, 1e-9);
-    EXPECT_NEAR(report.cycle_time_s, report.rapid_s + report.feed_s, 1e-9);
-    EXPECT_EQ(report.moves, 2u);
+    EXPECT_NEAR(report.times.rapid_s, 2 * std::sqrt(300 / a), 1e-9);
+    EXPECT_NEAR(report.times.feed_s, 200 / 100.0 + 100 / a, 1e-9);
+    EXPECT_NEAR(report.cycle_time_s, report.times.rapid_s + report.times.feed_s, 1e-9);
+    EXPECT_EQ(report.counts.moves, 2u);
     EXPECT_NEAR(report.bounds[1].max, 200, 1e-12);
 }
 

@@ -18,20 +18,20 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 
 Report sample() {
     Report report;
-    report.program = "part.nc";
-    report.machine = "m";
-    report.controller = "ab9";
-    report.files = {"part.nc", "sub.nc"};
+    report.source.program = "part.nc";
+    report.source.machine = "m";
+    report.source.controller = "ab9";
+    report.source.files = {"part.nc", "sub.nc"};
     report.cycle_time_s = 0.1 + 0.2;
-    report.rapid_s = 1;
-    report.feed_mm = -0.0;
-    report.blocks = 12;
-    report.moves = 11;
+    report.times.rapid_s = 1;
+    report.distances.feed_mm = -0.0;
+    report.counts.blocks = 12;
+    report.counts.moves = 11;
     report.bounds = {
         {.letter = 'X', .min = 1, .max = 2, .limit_min = -kInf, .limit_max = 10},
         {.letter = 'B', .rotary = true, .min = -90, .max = 0, .limit_min = -360, .limit_max = 360}};
     report.events = {{1.5, {1, 3}, "jet_on", ""}, {2, {0, 0}, "stop", "by the operator"}};
-    report.warnings = {"something"};
+    report.messages.warnings = {"something"};
     report.slowest = {{{0, 9}, MoveKind::arc_cw, 3.5, 20, "feed"}, {{0, 10}, MoveKind::dwell, 1, 0}};
     return report;
 }
@@ -82,7 +82,7 @@ TEST(ReportJson, ViolationsAndFindings) {
     report.violations.count = 3;
     report.violations.suggested_fix = {{.offset = "G54", .axis = 'X', .shift_mm = 5}};
     report.findings = {.list = {{.t_s = 1, .location = {1, 2}, .message = "a rapid"}}, .count = 1};
-    report.process = "laser";
+    report.source.process = "laser";
     const auto json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["status"], "violations");
     EXPECT_EQ(
@@ -198,8 +198,8 @@ TEST(ReportJson, EmptyListsStayLists) {
 TEST(ReportJson, NothingThatJsonCannotHold) {
     Report report = sample();
     report.cycle_time_s = kInf;
-    report.rapid_s = std::numeric_limits<double>::quiet_NaN();
-    report.program = "\xff.nc";
+    report.times.rapid_s = std::numeric_limits<double>::quiet_NaN();
+    report.source.program = "\xff.nc";
     const auto json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["cycle_time_s"], nullptr);
     EXPECT_EQ(json["time"]["rapid_s"], nullptr);

@@ -15,16 +15,16 @@ using testing::Not;
 
 Report sample() {
     Report report;
-    report.program = "part.nc";
-    report.machine = "gantry";
-    report.controller = "grbl-1.1";
-    report.files = {"part.nc"};
+    report.source.program = "part.nc";
+    report.source.machine = "gantry";
+    report.source.controller = "grbl-1.1";
+    report.source.files = {"part.nc"};
     report.cycle_time_s = 3725.5;
-    report.rapid_s = 931.375;
-    report.feed_s = 2794.125;
-    report.rapid_mm = 100;
-    report.feed_mm = 200;
-    report.process_on_mm = 150;
+    report.times.rapid_s = 931.375;
+    report.times.feed_s = 2794.125;
+    report.distances.rapid_mm = 100;
+    report.distances.feed_mm = 200;
+    report.distances.process_on_mm = 150;
     report.bounds = {{.letter = 'X', .min = 0, .max = 50, .limit_min = 0, .limit_max = 100},
                      {.letter = 'Y',
                       .min = -1,
@@ -74,12 +74,12 @@ TEST(ReportText, TellsTheAlarm) {
 TEST(ReportText, NoLineIsLongerThan100AndNothingReachesTheTerminalRaw) {
     Report report = sample();
     const std::string long_name(300, 'n');
-    report.program = long_name;
-    report.machine = long_name;
-    report.files = {long_name + "\x1b[31m"};
+    report.source.program = long_name;
+    report.source.machine = long_name;
+    report.source.files = {long_name + "\x1b[31m"};
     report.alarm =
         Alarm{.message = long_name + " " + long_name, .location = {0, 4}, .value = {}, .limit = {}};
-    report.warnings.assign(30, "a warning of many words " + long_name + "\x1b[31m");
+    report.messages.warnings.assign(30, "a warning of many words " + long_name + "\x1b[31m");
     report.events.assign(30, {1e6, {0, 1000000}, long_name, long_name});
     report.slowest.assign(10, {{0, 1000000}, MoveKind::thread, 1e7, 1e9, "rotary B acceleration"});
     report.explanation = Explanation{{{"rotary B acceleration", 1e7}}, 1e7};

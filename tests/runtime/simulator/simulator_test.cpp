@@ -52,14 +52,14 @@ TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
     with.controller.ramps.limit_jerk = true;
     Simulator without_jerks(with, {});
     const bool straight = GetParam() == PlannerKind::linuxcnc || GetParam() == PlannerKind::klipper;
-    EXPECT_THAT(without_jerks.finish("p").warnings,
+    EXPECT_THAT(without_jerks.finish("p").messages.warnings,
                 Contains(HasSubstr(straight ? "limit_jerk has no effect: the planner"
                                             : "limit_jerk has no effect: no axis")));
     for (machine::Axis& axis : with.axes) axis.max_jerk = 1000;
     Simulator with_jerks(with, {});
-    EXPECT_EQ(with_jerks.finish("p").warnings.size(), straight ? 1U : 0U);
+    EXPECT_EQ(with_jerks.finish("p").messages.warnings.size(), straight ? 1U : 0U);
     Simulator plain(machine(), {});
-    EXPECT_THAT(plain.finish("p").warnings, IsEmpty());
+    EXPECT_THAT(plain.finish("p").messages.warnings, IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, EachPlanner,

@@ -95,7 +95,8 @@ double time_s(double distance, double speed, double up, double down) {
 /// Beyond the peaks, as a share of them.
 double excess(const Report& report) {
     double max = 0;
-    for (const EffortExcess& one : report.efforts->excesses) max = std::max(max, one.effort / one.limit - 1);
+    for (const EffortExcess& one : report.drives.efforts->excesses)
+        max = std::max(max, one.effort / one.limit - 1);
     return max;
 }
 
@@ -104,10 +105,10 @@ TEST(TorqueLimit, SlideIsItsClosedForm) {
     ASSERT_TRUE(rapid(*simulator, at(500, 0)));
     const Report report = simulator->finish("part.nc");
     EXPECT_NEAR(report.cycle_time_s, time_s(0.5, 1, 300.0 / 50, 500.0 / 50), 1e-9);
-    EXPECT_NEAR(report.efforts->axes[0].peak, 400, 1e-6);
-    EXPECT_EQ(report.efforts->excess_count, 0U);
-    ASSERT_TRUE(report.efforts->time_by_axis_accelerations_s);
-    EXPECT_NEAR(*report.efforts->time_by_axis_accelerations_s, time_s(0.5, 1, 1, 1), 1e-9);
+    EXPECT_NEAR(report.drives.efforts->axes[0].peak, 400, 1e-6);
+    EXPECT_EQ(report.drives.efforts->excess_count, 0U);
+    ASSERT_TRUE(report.drives.efforts->time_by_axis_accelerations_s);
+    EXPECT_NEAR(*report.drives.efforts->time_by_axis_accelerations_s, time_s(0.5, 1, 1, 1), 1e-9);
     EXPECT_THAT(to_text(report),
                 HasSubstr("limit       torques: with the axis accelerations the same moves take 1.414 s"));
     EXPECT_THAT(to_json(report), HasSubstr("\"time_by_axes_s\""));
@@ -124,7 +125,7 @@ TEST(TorqueLimit, VerticalAxisHasItsWeight) {
     const Report report = down->finish("down");
     EXPECT_NEAR(report.cycle_time_s, time_s(0.3, 1, (300 - 20 + weight) / 20, (300 + 20 - weight) / 20),
                 1e-9);
-    EXPECT_EQ(report.efforts->excess_count, 0U);
+    EXPECT_EQ(report.drives.efforts->excess_count, 0U);
 }
 
 TEST(TorqueLimit, SlowerWhereTheMotorHasLessAtSpeed) {
@@ -134,7 +135,7 @@ TEST(TorqueLimit, SlowerWhereTheMotorHasLessAtSpeed) {
     EXPECT_NEAR(simulator->clock().time_s(), time_s(0.02, 0.5, 300.0 / 50, 500.0 / 50), 1e-9);
     ASSERT_TRUE(rapid(*simulator, at(2000, 0)));
     const Report report = simulator->finish("part.nc");
-    EXPECT_EQ(report.efforts->excess_count, 0U);
+    EXPECT_EQ(report.drives.efforts->excess_count, 0U);
     const double second_s = report.cycle_time_s - time_s(0.02, 0.5, 6, 10);
     EXPECT_LT(second_s, time_s(1.98, 0.5, 6, 10));  // faster than without what the motor has beyond
     EXPECT_GT(second_s, time_s(1.98, 1, 6, 10));
@@ -238,8 +239,8 @@ TEST(TorqueLimit, ArmKeepsItsPeaksAndGainsTime) {
         const Report report = arm_run(machine, seed);
         ASSERT_EQ(report.status, RunStatus::completed);
         EXPECT_LE(excess(report), 1e-6) << seed;
-        ASSERT_TRUE(report.efforts->time_by_axis_accelerations_s);
-        const double share = report.cycle_time_s / *report.efforts->time_by_axis_accelerations_s;
+        ASSERT_TRUE(report.drives.efforts->time_by_axis_accelerations_s);
+        const double share = report.cycle_time_s / *report.drives.efforts->time_by_axis_accelerations_s;
         shortest = std::min(shortest, share);
         longest = std::max(longest, share);
     }

@@ -264,7 +264,7 @@ TEST(ZoneMonitor, TheAlarmNamesTheBlockOfTheMotionNotTheOneThatIsRead) {
     EXPECT_NEAR(report.alarm->value.value(), 100, 1e-9);
     EXPECT_EQ(report.alarm->limit.value(), 100);
     EXPECT_TRUE(report.events.empty());
-    EXPECT_NEAR(report.feed_mm, 100, 1e-9);
+    EXPECT_NEAR(report.distances.feed_mm, 100, 1e-9);
     EXPECT_NEAR(report.bounds[0].max, 100, 1e-9);
 }
 
@@ -321,8 +321,8 @@ TEST(ZoneMonitor, WallsOnAnAxisThatTheMachineHasNotAreLeftOutWithAWarning) {
     Simulator simulator(machine, {});
     simulator.program().zones().set_data(security_zone(100, 200));
     const Report report = simulator.finish("p");
-    ASSERT_EQ(report.warnings.size(), 1U);
-    EXPECT_NE(report.warnings[0].find("no linear axis X"), std::string::npos);
+    ASSERT_EQ(report.messages.warnings.size(), 1U);
+    EXPECT_NE(report.messages.warnings[0].find("no linear axis X"), std::string::npos);
 }
 
 }  // namespace

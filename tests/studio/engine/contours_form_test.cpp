@@ -75,7 +75,7 @@ TEST(ContoursForm, ListsWhatCouldBeCut) {
     EXPECT_EQ(contour["edges"], (json{"#11", "#12"}));
     EXPECT_NEAR(contour["length_mm"].get<double>(), 50 + 50 + 60, 1e-9);
     EXPECT_NEAR(contour["depth_mm"].get<double>(), 6, 1e-9);
-    EXPECT_NEAR(contour["lean_deg"].get<double>(), 30, 1e-9);
+    EXPECT_NEAR(contour["tilt_deg"].get<double>(), 30, 1e-9);
     // Each position once, and the first one again at the end.
     EXPECT_EQ(contour["points"], 4);
     EXPECT_EQ(list.column<double>("lines"), (std::vector<double>{0, 0, 0, 30, 40, 0, 60, 0, 0, 0, 0, 0}));

@@ -137,7 +137,7 @@ TEST(DataForm, AxesAreThoseOfTheMachineOfTheCell) {
 TEST(DataForm, WhatIsSuspectIsTold) {
     const auto frames =
         request_frames(data_request(json::array()), {{"tools.txt", "NCFILE\nALIAS\nJetOn M9999\nENDFILE\n"}});
-    const auto reported = filter_frames(frames, "told");
+    const auto reported = filter_frames(frames, "diagnostic");
     ASSERT_EQ(reported.size(), 1U);
     EXPECT_EQ(reported[0].header["severity"], "warning");
     EXPECT_EQ(reported[0].header["line"], 3);
@@ -146,7 +146,7 @@ TEST(DataForm, WhatIsSuspectIsTold) {
 TEST(DataForm, AFaultyFileIsToldLineByLineAndFails) {
     const auto frames =
         request_frames(data_request(json::array()), {{"tools.txt", "NCFILE\nTOOL\n1 a 2\n2 3 b\nENDFILE\n"}});
-    EXPECT_EQ(filter_frames(frames, "told").size(), 2U);
+    EXPECT_EQ(filter_frames(frames, "diagnostic").size(), 2U);
     EXPECT_EQ(filter_frames(frames, "data").size(), 0U);
     EXPECT_EQ(last(frames).is(), "failed");
 }

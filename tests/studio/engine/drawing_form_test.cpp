@@ -121,11 +121,11 @@ TEST(DrawingForm, TheJetMayLeanAgainstItsTaperAndPierceMoving) {
         return found;
     };
     EXPECT_LE(axes().size(), 1U);  // upright
-    request_json["straighten"] = true;
+    request_json["taper_compensation"] = true;
     EXPECT_GT(axes().size(), 10U);
-    request_json["straighten"] = false;
+    request_json["taper_compensation"] = false;
     const double rests_s = path_of(request_json).header["job"]["jet_s"];
-    request_json["moving_pierce"] = true;
+    request_json["dynamic_pierce"] = true;
     EXPECT_LT(path_of(request_json).header["job"]["jet_s"].get<double>(), rests_s);
 }
 
@@ -174,10 +174,10 @@ TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
     EXPECT_EQ(error(request_json), "'side' must be one of x, y, z, -x, -y, -z, not 'up'");
     request_json["contours"] = {{"kind", "holes"}, {"colour", "red"}};
     EXPECT_EQ(error(request_json), "unknown key 'colour' of contours");
-    request_json["contours"] = {{"kind", "holes"}, {"axis", "wall"}, {"lean_deg", 5}};
+    request_json["contours"] = {{"kind", "holes"}, {"axis", "wall"}, {"tilt_angle_deg", 5}};
     EXPECT_THAT(error(request_json), HasSubstr("--tilt-angle is relative to the face normal"));
     request_json["contours"] = {{"kind", "holes"}};
-    request_json["straighten"] = true;
+    request_json["taper_compensation"] = true;
     EXPECT_THAT(error(request_json), HasSubstr("--taper-compensation"));
     request_json = by_figures("square.svg");
     request_json["contours"] = {{"kind", "holes"}};
@@ -197,7 +197,7 @@ TEST(DrawingForm, WhatStandsThereIsLookedAt) {
     request_json["origin_mm"] = {200, 0, 0};
     const Frame path = path_of(request_json);
     ASSERT_TRUE(path.header.contains("figures")) << path.header;
-    EXPECT_EQ(path.header["figures"]["ways"], 2);
+    EXPECT_EQ(path.header["figures"]["linking_paths"], 2);
     EXPECT_THAT(path.header["summary"].get<std::string>(), HasSubstr("; there are no collisions, and"));
     request_json["place"] = {{"room", "post.toml"}};
     EXPECT_EQ(error(request_json), "unknown key 'room' of place");

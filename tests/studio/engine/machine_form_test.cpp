@@ -25,7 +25,7 @@ std::string with(std::string text, const std::string& old, const std::string& no
 /// Returns "file:line:column text" of all reported messages.
 std::vector<std::string> reported(const std::vector<Frame>& frames) {
     std::vector<std::string> all;
-    for (const Frame& frame : filter_frames(frames, "told")) {
+    for (const Frame& frame : filter_frames(frames, "diagnostic")) {
         const auto& header = frame.header;
         EXPECT_EQ(header["severity"], "error");
         all.push_back(header["file"].get<std::string>() + ":" + header["line"].dump() + ":" +
@@ -86,7 +86,7 @@ TEST(MachineForm, WhatIsNoTomlOrNotThereIsTold) {
                   .at(0)
                   .substr(0, 10),
               "c.toml:1:5");
-    EXPECT_EQ(filter_frames(request_frames(kAsked), "told").size(), 1U);
+    EXPECT_EQ(filter_frames(request_frames(kAsked), "diagnostic").size(), 1U);
     EXPECT_EQ(last(request_frames(kAsked)).is(), "failed");
 }
 

@@ -34,7 +34,7 @@ TEST(Message, CanBeAHeaderAloneAndHaveColumnsOfNothing) {
 }
 
 TEST(Message, BytesThatAreNoUtf8DoNotBreakItsHeader) {
-    Message message("told");
+    Message message("diagnostic");
     message.header()["text"] = "\xff\xfe";
     EXPECT_EQ(read_frame(message.bytes()).header["text"], "\xef\xbf\xbd\xef\xbf\xbd");
 }

@@ -17,7 +17,7 @@ TEST(Session, ARunTellsTheSceneTheSegmentsAndTheReport) {
     const auto frames =
         request_frames(kRun, {{"part.nc", "G21 G90\nG0 X10\nG1 X10 Y20 F6000\nG2 X30 Y20 I10\nM2\n"}});
     EXPECT_EQ(last(frames).is(), "done");
-    EXPECT_EQ(filter_frames(frames, "told").size(), 0U);
+    EXPECT_EQ(filter_frames(frames, "diagnostic").size(), 0U);
     const auto scenes = filter_frames(frames, "scene");
     ASSERT_EQ(scenes.size(), 2U);
     EXPECT_EQ(scenes[0].header["scene"]["axes"][0]["letter"], "X");
@@ -101,17 +101,18 @@ TEST(Session, AProgramIsCheckedInTheLanguageOfItsCellsMachine) {
          "\"linear\"\nmin_mm = 0.0\nmax_mm = 10.0\ndirection = \"x\"\n"}};
     EXPECT_EQ(
         filter_frames(request_frames(R"({"do": "check", "program": "part.nc", "cell": "cell.toml"})", files),
-                      "told")
+                      "diagnostic")
             .size(),
         0U);
-    EXPECT_GT(filter_frames(request_frames(R"({"do": "check", "program": "part.nc"})", files), "told").size(),
-              0U);
+    EXPECT_GT(
+        filter_frames(request_frames(R"({"do": "check", "program": "part.nc"})", files), "diagnostic").size(),
+        0U);
 }
 
 TEST(Session, WhatIsWrongIsToldWithItsPlace) {
     const auto frames =
         request_frames(R"({"do": "check", "program": "part.nc"})", {{"part.nc", "G0 X1\nG999\n"}});
-    const auto reported = filter_frames(frames, "told");
+    const auto reported = filter_frames(frames, "diagnostic");
     ASSERT_EQ(reported.size(), 1U);
     EXPECT_EQ(reported[0].header["severity"], "error");
     EXPECT_EQ(reported[0].header["line"], 2);

@@ -62,7 +62,7 @@ TEST(TomlForm, ANameThatNoFileHasIsANewFile) {
 TEST(TomlForm, AFileThatIsNoTomlIsToldWithItsPlace) {
     const auto frames =
         request_frames(R"({"do": "toml", "file": "cell.toml"})", {{"cell.toml", "[cell]\nname = \n"}});
-    const auto reported = filter_frames(frames, "told");
+    const auto reported = filter_frames(frames, "diagnostic");
     ASSERT_EQ(reported.size(), 1U);
     EXPECT_EQ(reported[0].header["severity"], "error");
     EXPECT_EQ(reported[0].header["file"], "cell.toml");

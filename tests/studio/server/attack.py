@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Attacks a server of the studio that it begins over a folder of its own, and looks each time whether that still serves its page.
-Prints a row for each attack: what was sent, what came back. Times are printed, and fail nothing.
+"""Attacks a server of the studio, which it starts on a temporary folder, and checks after each attack that it still serves its page.
+Prints a row for each attack: what was sent, what came back. Times are printed, but are never a failure.
 Usage: attack.py BUILD"""
 
 import contextlib
@@ -24,10 +24,10 @@ PIECE = b"a" * 65536
 
 class Server:
     def __init__(self, folder, page):
-        told = {"folder": str(folder), "port": 0, "page": str(page), "told": {}, "browser": False,
+        request = {"folder": str(folder), "port": 0, "page": str(page), "page_data": {}, "browser": False,
                 "engine": [str(BUILD / "bin/gsim"), "studio-answer", "--folder", str(folder)]}
         self.log = tempfile.TemporaryFile("w+")
-        self.process = subprocess.Popen([BUILD / "bin/gsim-serve", json.dumps(told)], stdout=subprocess.PIPE, stderr=self.log, text=True)
+        self.process = subprocess.Popen([BUILD / "bin/gsim-serve", json.dumps(request)], stdout=subprocess.PIPE, stderr=self.log, text=True)
         address = urllib.parse.urlparse(self.process.stdout.readline().strip())
         self.port, self.path = address.port, address.path
         self.token = self.path.strip("/")
@@ -40,7 +40,7 @@ class Server:
         return "\r\n".join(lines).encode()
 
     def raw(self, *pieces, timeout_s=30):
-        """The first line and the end of what comes back; "closed" where nothing does."""
+        """Returns the first line and the end of the response, or "closed" if there is none."""
         with contextlib.closing(self.connect(timeout_s)) as connection:
             with contextlib.suppress(OSError):
                 for piece in pieces:
@@ -77,7 +77,7 @@ def statuses(answers):
 
 
 def strangers(server):
-    """Who is not the page."""
+    """Requests that do not come from the page."""
     files = server.path + "files"
     yield "no token, another one, a part of it", "403", [
         server.raw(server.head("GET", path)) for path in ("/", "/files", "/" + "0" * 32 + "/files", server.path[:-2] + "/files")]
@@ -94,7 +94,7 @@ def strangers(server):
 
 
 def traversals(server, secret):
-    """Ways out of the folder, to read and to write."""
+    """Paths out of the folder, to read and to write."""
     up = secret.name
     names = {
         "dots": [f"../{up}", f"sub/../../{up}", f"./../{up}"],
@@ -118,7 +118,7 @@ def traversals(server, secret):
 
 
 def programs_that_reach_out(server, secret):
-    """What the engine reads by the names in a program, a machine, a cell."""
+    """Files that the engine reads by the names in a program, a machine, a cell."""
     files = {"a.lua": f"local f = io and io.open('{secret}') print(f and f:read('a')) return require 'gsim'"}
     cell = f'[cell]\nname = "c"\nmachine = "../{secret.name}"\n'
     requests = [{"do": "run", "program": name} for name in (f"../{secret.name}", str(secret), "link.nc", "a.lua", "/proc/self/environ")]
@@ -134,7 +134,7 @@ def programs_that_reach_out(server, secret):
 
 
 def too_much(server):
-    """Sizes."""
+    """Requests that are too large."""
     ask = server.path + "ask"
     put = server.path + "file/large.nc"
     yield "an address of 1 MB", "414 400 403 closed", [server.raw(server.head("GET", server.path + "a" * 1_000_000))]
@@ -155,7 +155,7 @@ def too_much(server):
 
 
 def broken(server):
-    """Requests that are none."""
+    """Malformed requests."""
     ask = server.path + "ask"
     chunked = server.head("POST", ask, ["Transfer-Encoding: chunked"])
     yield "broken chunks: no size, a negative one, one beyond 64 bits, none of the end", "400 closed", [
@@ -173,7 +173,7 @@ def broken(server):
 
 
 def dripped_head(server):
-    """A head of one byte each 0.2 s: how long the server listens to it."""
+    """Sends a head of one byte each 0.2 s. Measures how long the server listens to it."""
     began = time.monotonic()
     with server.connect() as drip, contextlib.suppress(OSError):
         for byte in server.head("GET", server.path + "files") * 100:
@@ -183,7 +183,7 @@ def dripped_head(server):
 
 
 def dripped_body(server):
-    """A body that is refused, and goes on by one byte each 0.2 s: the answer, and how long the server listens."""
+    """Sends a body that is rejected, and continues with one byte each 0.2 s. Returns the response, and how long the server listens."""
     with server.connect() as drip:
         drip.sendall(server.head("PUT", server.path + "file/a.nc", ["Content-Length: 1073741824"]))
         answer = drip.recv(65536)
@@ -196,14 +196,14 @@ def dripped_body(server):
 
 
 def stopped_body(server):
-    """A body that stops: the answer, and how long the server waits for the rest."""
+    """Sends a body that stops. Returns the response, and how long the server waits for the remainder."""
     began = time.monotonic()
     answer = server.raw(server.head("POST", server.path + "ask", ["Content-Length: 100"]), b"{", timeout_s=60)
     return answer, time.monotonic() - began
 
 
 def slow(server):
-    """Time, and many at once."""
+    """Slow requests, and many requests at once."""
     began = time.monotonic()
     idle = [server.connect() for _ in range(1000)]
     opened = time.monotonic()
@@ -236,7 +236,7 @@ def many_at_once(server):
     asks = [server.connect() for _ in range(40)]
     for connection in asks:
         connection.sendall(server.head("POST", server.path + "ask", [f"Content-Length: {len(body)}"]) + body)
-    # Of one that is refused something can be read.
+    # A rejected connection has a response to read.
     select.select(asks, [], [], 20)
     wait_for(lambda: engines(server) > 0)
     assert server.get("files")[0] == 200
@@ -260,7 +260,7 @@ def wait_for(done, longest_s=20):
 
 
 def digest(paths):
-    """What lies there, links as they are."""
+    """Returns a digest of the files at these paths; links are not followed."""
     sum_ = hashlib.sha256()
     for path in sorted(paths):
         sum_.update(os.fsencode(path))

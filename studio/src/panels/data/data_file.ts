@@ -89,6 +89,6 @@ export class DataFile {
     const before = await this.read();
     const count = ({ data }: DataResult) => data?.entries[change.section]?.length ?? 0;
     if (count(response) > count(before)) return response;
-    return { told: response.told, data: null, refusal: words.alreadyExists(change.id) };
+    return { diagnostics: response.diagnostics, data: null, refusal: words.alreadyExists(change.id) };
   }
 }

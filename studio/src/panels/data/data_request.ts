@@ -58,8 +58,8 @@ export interface Data {
   text: string;
 }
 
-/** The data, or the reason why they are missing; `told` has the warnings and errors. */
-export type DataResult = { told: EngineDiagnostic[] } & ({ data: Data } | { data: null; refusal: string });
+/** The data, or the reason why they are missing; `diagnostics` has the warnings and errors. */
+export type DataResult = { diagnostics: EngineDiagnostic[] } & ({ data: Data } | { data: null; refusal: string });
 
 export const lengthUnit = (unit: EntryUnit): LengthUnit => (unit === "inch" ? "inch" : "mm");
 
@@ -71,10 +71,10 @@ const stripFileName = (sentence: string, file: string): string =>
 export async function requestData(session: Session, file: string, changes: DataChange[]): Promise<DataResult> {
   const { machine, cell } = session.setup;
   const response = await session.sendRequest({ do: "data", file, machine, cell, changes });
-  const told = response.messages.filter(({ is }) => is === "told").map(({ header }) => header as unknown as EngineDiagnostic);
+  const diagnostics = response.messages.filter(({ is }) => is === "diagnostic").map(({ header }) => header as unknown as EngineDiagnostic);
   const message = response.messages.find(({ is }) => is === "data");
-  if (!response.ok || !message) return { told, data: null, refusal: stripFileName(response.message, file) };
+  if (!response.ok || !message) return { diagnostics, data: null, refusal: stripFileName(response.message, file) };
   const { sections, entries } = message.header as unknown as Omit<Data, "text">;
   const text = new TextDecoder().decode(message.columns.get("text") as Uint8Array);
-  return { told, data: { sections, entries, text } };
+  return { diagnostics, data: { sections, entries, text } };
 }

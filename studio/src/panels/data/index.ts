@@ -110,7 +110,7 @@ class DataForm implements PanelForm {
     this.showFiles();
     this.data = response.data;
     this.content.hidden = !response.data;
-    this.problems.show(response.told, this.errorOf(response));
+    this.problems.show(response.diagnostics, this.errorOf(response));
     if (!response.data) return;
     const options = response.data.sections.map(({ name, title }): [string, string] => [name, title]);
     setOptions(this.sections, options, this.sections.value || options[0][0]);
@@ -123,7 +123,7 @@ class DataForm implements PanelForm {
    */
   private errorOf(response: DataResult): string {
     if (response.data) return "";
-    return response.told.length > 0 ? words.unreadable(this.file.name) : response.refusal;
+    return response.diagnostics.length > 0 ? words.unreadable(this.file.name) : response.refusal;
   }
 
   private showFiles(): void {

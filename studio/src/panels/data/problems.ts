@@ -7,7 +7,7 @@ import { texts } from "../../texts";
 export interface Problems {
   element: HTMLElement;
   /** `error`: why the data are missing; empty: they exist. */
-  show(told: EngineDiagnostic[], error: string): void;
+  show(diagnostics: EngineDiagnostic[], error: string): void;
 }
 
 export function createProblems(): Problems {
@@ -16,10 +16,10 @@ export function createProblems(): Problems {
   const host = element("div", { class: "problems", role: "status" }, sentence, list);
   return {
     element: host,
-    show(told, error) {
+    show(diagnostics, error) {
       sentence.textContent = error;
       sentence.hidden = !error;
-      list.replaceChildren(...told.map(problem));
+      list.replaceChildren(...diagnostics.map(problem));
     },
   };
 }

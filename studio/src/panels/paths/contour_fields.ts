@@ -15,9 +15,9 @@ export interface ContourChoice {
   /** Only contours with one of these edges; undefined: all. */
   edges?: string[];
   axis?: string;
-  lean_deg?: number;
-  tilt_deg?: number;
-  max_lean_deg?: number;
+  tilt_angle_deg?: number;
+  lead_angle_deg?: number;
+  max_tilt_deg?: number;
   bridges?: number;
   bridge_mm?: number;
 }
@@ -26,9 +26,9 @@ type NumberKey = keyof typeof words.numbers;
 
 /** Numbers, and the defaults of the engine. */
 const numbers: Record<NumberKey, [quantity: Quantity, without: number]> = {
-  lean_deg: ["angle", 0],
-  tilt_deg: ["angle", 0],
-  max_lean_deg: ["angle", 60],
+  tilt_angle_deg: ["angle", 0],
+  lead_angle_deg: ["angle", 0],
+  max_tilt_deg: ["angle", 60],
   bridges: ["none", 0],
   bridge_mm: ["length", 0.5],
 };
@@ -52,7 +52,7 @@ export class ContourFields {
     const names = text.split(";").map((name) => name.trim());
     this.set({ faces: text.trim() ? names.filter((name) => name !== "") : undefined });
   });
-  private readonly axis = new ChoiceRow<string>(words.axis, Object.entries(words.axes), (axis) => this.set({ axis, lean_deg: undefined }));
+  private readonly axis = new ChoiceRow<string>(words.axis, Object.entries(words.axes), (axis) => this.set({ axis, tilt_angle_deg: undefined }));
   private readonly rows = new Map<NumberKey, NumberRow>();
   private readonly more: HTMLElement;
 
@@ -77,6 +77,6 @@ export class ContourFields {
     this.faces.show(choice?.faces?.join("; ") ?? "", words.allFaces);
     this.axis.show(choice?.axis ?? "wall");
     for (const [key, row] of this.rows) row.show({ value: choice?.[key], inherited: numbers[key][1] }, units);
-    this.rows.get("lean_deg")!.element.hidden = choice?.axis !== "normal";
+    this.rows.get("tilt_angle_deg")!.element.hidden = choice?.axis !== "normal";
   }
 }

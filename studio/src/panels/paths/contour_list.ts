@@ -9,10 +9,10 @@ import type { ListedContour } from "./contour_picks";
 const words = texts.paths.contours.picture;
 
 /** "hole at edge #705 of the plane face #933, 56.55 mm long, 6.00 mm deep, leans by 12.0°" */
-export function contourText({ face, isHole, edges, length_mm, depth_mm, lean_deg }: ListedContour, units: Units): string {
+export function contourText({ face, isHole, edges, length_mm, depth_mm, tilt_deg }: ListedContour, units: Units): string {
   const kind = isHole ? words.hole : words.outline;
   const [length, depth] = [lengthShort(length_mm, units), lengthShort(depth_mm, units)];
-  return words.contour(kind, edges.find((edge) => edge !== "") ?? "", face, length, depth, lean_deg.toFixed(1));
+  return words.contour(kind, edges.find((edge) => edge !== "") ?? "", face, length, depth, tilt_deg.toFixed(1));
 }
 
 export interface ContourListEvents {

@@ -9,7 +9,7 @@ export interface ListedContour {
   edges: string[];
   length_mm: number;
   depth_mm: number;
-  lean_deg: number;
+  tilt_deg: number;
   /** Positions along it, three numbers each; the last is the first. */
   polyline_mm: Float64Array;
 }

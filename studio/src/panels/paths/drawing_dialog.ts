@@ -34,8 +34,8 @@ export interface DrawingChoice {
   up?: string;
   flip?: boolean;
   /** For flat parts and drawings: the jet tilts against the taper of its kerf; it moves while it pierces. */
-  straighten?: boolean;
-  moving_pierce?: boolean;
+  taper_compensation?: boolean;
+  dynamic_pierce?: boolean;
   /** For a solid that need not be flat. */
   contours?: ContourChoice;
   /** True if paths between cuts avoid the machine and cell of the setup. */
@@ -64,7 +64,7 @@ const numbers: Partial<Record<NumberKey, [quantity: Quantity, without: number | 
 };
 const commonKeys: NumberKey[] = ["thickness_mm", "quality"];
 const own: NumberKey[] = ["speed_mm_min", "kerf_mm", "pierce_s"];
-const ways: NumberKey[] = ["lead_mm", "safe_height_mm", "cut_height_mm", "bevel_deg"];
+const pathKeys: NumberKey[] = ["lead_mm", "safe_height_mm", "cut_height_mm", "bevel_deg"];
 const rareKeys: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
 
 /** True for parts, which the native engine reads. */
@@ -84,7 +84,7 @@ const haveSameContours = (a: ContourChoice | undefined, b: ContourChoice | undef
 
 /** Returns the options that apply to the drawing, of all that were chosen for this one and others. */
 function drawingRequest(drawing: string, choice: DrawingChoice, { machine, cell, machine_data }: Readonly<Setup>) {
-  const { material, up, flip, contours, picked, avoidsCollisions, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
+  const { material, up, flip, contours, picked, avoidsCollisions, taper_compensation, dynamic_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
   const common = {
     drawing,
     ...rest,
@@ -92,7 +92,7 @@ function drawingRequest(drawing: string, choice: DrawingChoice, { machine, cell,
     place: avoidsCollisions ? { machine, cell, machine_data } : undefined,
   };
   if (isSolid(drawing) && contours) return { ...common, contours: { ...contours, edges: selectedEdgesFor(drawing, choice) } };
-  const jetOptions = { straighten: material ? straighten : undefined, moving_pierce, bevel_deg };
+  const jetOptions = { taper_compensation: material ? taper_compensation : undefined, dynamic_pierce, bevel_deg };
   return isSolid(drawing) ? { ...common, ...jetOptions, up, flip } : { ...common, ...jetOptions, unit_mm, layers };
 }
 
@@ -137,12 +137,12 @@ export class DrawingDialog {
   );
   private readonly picker: ContourPicker;
   private readonly solidGroup = element("div", { class: "group" }, this.contours.element, this.plateGroup);
-  private readonly straighten = check(words.straighten, (straighten) => this.set({ straighten: straighten || undefined }));
-  private readonly moving = check(words.movingPierce, (moving) => this.set({ moving_pierce: moving || undefined }));
+  private readonly taperCompensation = check(words.taperCompensation, (taper_compensation) => this.set({ taper_compensation: taper_compensation || undefined }));
+  private readonly moving = check(words.movingPierce, (moving) => this.set({ dynamic_pierce: moving || undefined }));
   private readonly avoidsCollisions = check(words.avoidsCollisions, (avoidsCollisions) =>
     this.set({ avoidsCollisions: avoidsCollisions || undefined }),
   );
-  private readonly accuracy = element("div", { class: "group" }, this.moving.row, this.straighten.row);
+  private readonly accuracy = element("div", { class: "group" }, this.moving.row, this.taperCompensation.row);
   private readonly refused = element("p", { class: "fault", role: "alert", hidden: true });
   private readonly make = element("button", { type: "submit", class: "primary" }, words.make);
   private readonly materialGroup = element("div", { class: "group" });
@@ -194,7 +194,7 @@ export class DrawingDialog {
       this.solidGroup,
       this.origin.element,
       this.avoidsCollisions.row,
-      element("details", {}, element("summary", {}, words.ways), ...of(ways)),
+      element("details", {}, element("summary", {}, words.cuttingPath), ...of(pathKeys)),
       element("details", {}, element("summary", {}, words.reading), this.unit.element, this.layers.element, ...of(rareKeys)),
       this.refused,
       element("div", { class: "buttons" }, this.make, element("button", { type: "button", onclick: () => this.element.close() }, words.cancel)),
@@ -232,9 +232,9 @@ export class DrawingDialog {
     this.contours.show(this.choice.contours, units);
     this.showPicker(units);
     this.accuracy.hidden = isSurface;
-    this.straighten.box.checked = this.choice.straighten ?? false;
-    this.straighten.row.hidden = this.choice.material === "";
-    this.moving.box.checked = this.choice.moving_pierce ?? false;
+    this.taperCompensation.box.checked = this.choice.taper_compensation ?? false;
+    this.taperCompensation.row.hidden = this.choice.material === "";
+    this.moving.box.checked = this.choice.dynamic_pierce ?? false;
     this.rows.get("bevel_deg")!.element.hidden = isSurface;
     this.up.show(this.choice.up ?? "");
     this.flip.box.checked = this.choice.flip ?? false;

@@ -11,7 +11,7 @@ const findMessage = ({ messages }: EngineResponse, name: string) => messages.fin
 
 /** Returns the messages of warnings. */
 const warningTexts = ({ messages }: EngineResponse): string[] =>
-  messages.flatMap(({ is, header }) => (is === "told" ? [String(header.text)] : []));
+  messages.flatMap(({ is, header }) => (is === "diagnostic" ? [String(header.text)] : []));
 
 export interface RejectedRequest {
   refused: string;
@@ -64,7 +64,7 @@ export interface GeneratedPath {
   text: string;
   summary: string;
   job: string;
-  told: string[];
+  warnings: string[];
 }
 
 /** Makes a path from a drawing, by the options of autopath. */
@@ -73,7 +73,7 @@ export async function generatePath(session: Session, request: Record<string, unk
   const message = findMessage(response, "path");
   if (!response.ok || !message) return { refused: response.message };
   const { summary, job_text } = message.header as Record<string, string>;
-  return { text: decode(message.columns.get("text")), summary, job: job_text, told: warningTexts(response) };
+  return { text: decode(message.columns.get("text")), summary, job: job_text, warnings: warningTexts(response) };
 }
 
 export interface PartContours {
@@ -88,7 +88,7 @@ interface ContourHeader {
   edges: string[];
   length_mm: number;
   depth_mm: number;
-  lean_deg: number;
+  tilt_deg: number;
   points: number;
 }
 

@@ -172,11 +172,11 @@ class PathsPanel {
     });
   }
 
-  private drawn({ text, summary, told, job }: GeneratedPath, drawing: string): void {
+  private drawn({ text, summary, warnings, job }: GeneratedPath, drawing: string): void {
     const stem = shortName(drawing).replace(/\.[^.]*$/, "");
     const { store, session } = this;
     insertFile(store, session, words.labels.drawing(shortName(drawing)), freeFileName(session.documents, stem), text);
-    this.say([summary, ...told].filter((each) => each !== "").join("\n"), job);
+    this.say([summary, ...warnings].filter((each) => each !== "").join("\n"), job);
   }
 }
 

@@ -12,12 +12,12 @@ import { itemList, type Item } from "./mark_list";
 
 const words = texts.panels;
 
-const diagnosticItem = (told: EngineDiagnostic, store: Store): Item => ({
-  kind: told.severity,
-  text: told.hint ? `${told.text}. ${told.hint}` : told.text,
-  title: told.file,
-  place: told.line > 0 ? texts.run.line(told.line) : words.severities[told.severity],
-  choose: () => goTo(store, { file: told.file || null, line: told.line || null }, null),
+const diagnosticItem = (diagnostic: EngineDiagnostic, store: Store): Item => ({
+  kind: diagnostic.severity,
+  text: diagnostic.hint ? `${diagnostic.text}. ${diagnostic.hint}` : diagnostic.text,
+  title: diagnostic.file,
+  place: diagnostic.line > 0 ? texts.run.line(diagnostic.line) : words.severities[diagnostic.severity],
+  choose: () => goTo(store, { file: diagnostic.file || null, line: diagnostic.line || null }, null),
 });
 
 /** "No contact" means little if nothing was checked. */
@@ -72,9 +72,9 @@ export function createStatus(store: Store): HTMLElement {
     const report = context?.run.report;
     of.textContent = report?.program ? words.ofProgram(report.program, context?.robot?.scene.machine ?? "") : "";
     sentence.className = `sentence ${severity}`;
-    const told = context?.run.told ?? [];
-    const items = told.map((one) => diagnosticItem(one, store));
-    places.replaceChildren(...(items.length > 0 ? [itemList(words.told, items, 20)] : []));
+    const diagnostics = context?.run.diagnostics ?? [];
+    const items = diagnostics.map((one) => diagnosticItem(one, store));
+    places.replaceChildren(...(items.length > 0 ? [itemList(words.messages, items, 20)] : []));
   });
   return element("div", { class: "status" }, running, of, sentence, places);
 }

@@ -72,7 +72,7 @@ class Walker {
   /** Settings of each path that was already walked. */
   private readonly changes = new Map<number, State>();
   /** Entries into walked paths: first point, and previous position of the tool. */
-  private readonly ways = new Set<string>();
+  private readonly visited = new Set<string>();
   private readonly targetsWithErrors = new Set<string>();
 
   constructor(private readonly file: PathFile) {}
@@ -159,8 +159,8 @@ class Walker {
     const from_mm = state.position_mm ?? null;
     if (place.target === 0) {
       const way = `${key} ${from_mm} ${state.atMachinePoint}`;
-      if (this.ways.has(way)) return;
-      this.ways.add(way);
+      if (this.visited.has(way)) return;
+      this.visited.add(way);
     }
     const motion = pointMotion(point);
     let arc: Arc | null = null;

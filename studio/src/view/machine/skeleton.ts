@@ -28,7 +28,7 @@ export interface Skeleton {
 
 const matrixPosition = (matrix: { elements: number[] }) => new Vector3().fromArray(matrix.elements, 12);
 
-function branchAxes(branch: Branch, zero: LinkPoses, ways: Travel[]): DrawnAxis[] {
+function branchAxes(branch: Branch, zero: LinkPoses, travels: Travel[]): DrawnAxis[] {
   let parent = 0;
   return branch.links.map(({ joint, rotary }) => {
     const frame = zero.joints[joint];
@@ -37,7 +37,7 @@ function branchAxes(branch: Branch, zero: LinkPoses, ways: Travel[]): DrawnAxis[
       rotary,
       along: new Vector3().setFromMatrixColumn(frame, 2).normalize(),
       origin: matrixPosition(frame),
-      travel: ways[joint],
+      travel: travels[joint],
       parent,
     };
     parent = joint + 1;
@@ -48,9 +48,9 @@ function branchAxes(branch: Branch, zero: LinkPoses, ways: Travel[]): DrawnAxis[
 export const travelLength = ([low, high]: Travel): number => high - low;
 export const isVertical = (axis: DrawnAxis): boolean => Math.abs(axis.along.z) > 0.7;
 
-export function createSkeleton(scene: Scene, zero: LinkPoses, ways: Travel[]): Skeleton {
-  const tool = branchAxes(scene.tool_side, zero, ways);
-  const work = branchAxes(scene.work_side, zero, ways);
+export function createSkeleton(scene: Scene, zero: LinkPoses, travels: Travel[]): Skeleton {
+  const tool = branchAxes(scene.tool_side, zero, travels);
+  const work = branchAxes(scene.work_side, zero, travels);
   const linear = [...tool, ...work].filter((axis) => !axis.rotary).map((axis) => travelLength(axis.travel));
   const size_mm = linear.length > 0 ? Math.max(...linear) : 0;
   return {

@@ -19,11 +19,11 @@ interface Screen {
 /** Distances along a path at every so many vertices, mm, because ten million could not all be kept. */
 class PathDistances {
   private static readonly STEP = 64;
-  private readonly ways: Float64Array;
+  private readonly distances: Float64Array;
   readonly total: number;
 
   constructor(private readonly data: PathData) {
-    this.ways = new Float64Array(Math.ceil(data.count / PathDistances.STEP));
+    this.distances = new Float64Array(Math.ceil(data.count / PathDistances.STEP));
     let way = 0;
     let [x, y, z] = [NaN, NaN, NaN];
     for (const { section, vertex } of data.vertices(0, data.count)) {
@@ -31,7 +31,7 @@ class PathDistances {
       for (let i = 0; i < vertices; ++i) {
         const [x1, y1, z1] = [vertex_mm[3 * i], vertex_mm[3 * i + 1], vertex_mm[3 * i + 2]];
         if (vertex + i > 0) way += Math.sqrt((x1 - x) ** 2 + (y1 - y) ** 2 + (z1 - z) ** 2);
-        if ((vertex + i) % PathDistances.STEP === 0) this.ways[(vertex + i) / PathDistances.STEP] = way;
+        if ((vertex + i) % PathDistances.STEP === 0) this.distances[(vertex + i) / PathDistances.STEP] = way;
         [x, y, z] = [x1, y1, z1];
       }
     }
@@ -44,9 +44,9 @@ class PathDistances {
    */
   at(way: number): [vertex: number, share: number] {
     const { data } = this;
-    const known = Math.max(lastIndex(this.ways.length, (i) => this.ways[i] <= way), 0);
+    const known = Math.max(lastIndex(this.distances.length, (i) => this.distances[i] <= way), 0);
     let vertex = known * PathDistances.STEP;
-    let left = way - this.ways[known];
+    let left = way - this.distances[known];
     const [a, b] = [data.point(vertex), new Vector3()];
     while (++vertex < data.count) {
       const step = a.distanceTo(data.point(vertex, b));
@@ -62,12 +62,12 @@ export class Directions {
   readonly group = new Group();
   private readonly material = new MeshBasicMaterial({ side: DoubleSide });
   private meshes: Mesh[] = [];
-  private readonly ways = new Map<PathData, [number, PathDistances]>();
+  private readonly distances = new Map<PathData, [number, PathDistances]>();
 
   setContent(all: PathData[]): void {
     for (const mesh of this.meshes) mesh.geometry.dispose();
     this.group.clear();
-    this.ways.clear();
+    this.distances.clear();
     this.meshes = all.map(() => {
       const mesh = new Mesh(new BufferGeometry(), this.material);
       mesh.matrixAutoUpdate = false;
@@ -108,15 +108,15 @@ export class Directions {
     taken: Set<number>,
     corners: number[],
   ): void {
-    const known = this.ways.get(data);
-    const ways = known?.[0] === data.count ? known[1] : new PathDistances(data);
-    this.ways.set(data, [data.count, ways]);
-    const { total } = ways;
+    const known = this.distances.get(data);
+    const distances = known?.[0] === data.count ? known[1] : new PathDistances(data);
+    this.distances.set(data, [data.count, distances]);
+    const { total } = distances;
     const space = Math.max(ARROW_SPACING_PX * rig.mmPerPixel, total / MAX_ATTEMPTS);
     const [a, b, world] = [new Vector3(), new Vector3(), new Vector3()];
     const { back } = rig.basis();
     for (let way = space / 2; way < total && taken.size < MAX_ARROWS; way += space) {
-      const [vertex, share] = ways.at(way);
+      const [vertex, share] = distances.at(way);
       if (!rapids && data.isRapid(vertex)) continue;
       data.point(vertex - 1, a);
       data.point(vertex, b);

@@ -36,14 +36,14 @@ export class XrScene {
   private readonly background = new Color();
 
   constructor(private readonly view: View) {
-    const bodies = view.stage.fullBox();
+    const bodies = view.runScene.fullBox();
     this.cell.matrixAutoUpdate = false;
     this.cell.matrix.copy(toSceneMatrix(bodies.min.z));
     const box = new Box3().copy(bodies).applyMatrix4(this.cell.matrix);
     this.entry = { x_m: (box.min.x + box.max.x) / 2, z_m: box.max.z + START_DISTANCE_M };
     this.camera.near = NEAR_PLANE_M;
     this.camera.far = box.getSize(new Vector3()).length() + FAR_MARGIN_M;
-    this.floor = createFloor(view.stage.grid.boldLines.material);
+    this.floor = createFloor(view.runScene.grid.boldLines.material);
     this.floor.position.set(Math.round(this.entry.x_m), 0, Math.round(box.getCenter(new Vector3()).z));
     this.cell.add(this.xrPaths.group);
     this.viewer.add(this.camera);
@@ -55,15 +55,15 @@ export class XrScene {
   draw(place: FloorPose, look: FrameAppearance): void {
     const { view, cell, viewer } = this;
     const { renderer } = view.canvas;
-    const { scene } = view.stage;
+    const { scene } = view.runScene;
     const frame = view.displayed;
     renderer.getClearColor(this.background);
     viewer.position.set(place.x_m, 0, place.z_m);
     viewer.rotation.y = place.turn;
     this.xrPaths.show(view.layer, look, frame?.instants.map(({ linkPoses }) => linkPoses.work) ?? []);
     // They are placed for the camera of the page.
-    view.stage.directions.group.visible = false;
-    view.stage.follow(this.lamp);
+    view.runScene.directions.group.visible = false;
+    view.runScene.follow(this.lamp);
     cell.add(scene);
     this.scene.updateMatrixWorld(true);
     const target = renderer.getRenderTarget();

@@ -21,6 +21,8 @@ export interface FieldSpec extends Range {
   choices?: readonly (readonly [value: string, text: string])[];
   /** It may not be empty. */
   isRequired?: boolean;
+  /** Name of its key before this version; the file may still have it. */
+  formerly?: string;
   /** True if its label is above it. */
   isNarrow?: boolean;
 }

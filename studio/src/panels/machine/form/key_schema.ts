@@ -1,7 +1,7 @@
 // Possible keys in the tables of a file, as reported by the engine (docs/studio.md).
 
 import type { Session } from "../../../core/session";
-import type { Toml } from "../file/toml";
+import type { Toml, TomlTable } from "../file/toml";
 
 /** Range of numbers that a key accepts. */
 export interface Range {
@@ -28,9 +28,15 @@ export interface Key extends Range {
   /** True if other values than these choices are possible. */
   open?: boolean;
   required?: boolean;
+  /** Its name before this version; the file may still have it. */
+  formerly?: string;
   /** Pattern for all keys of this form. */
   pattern?: string;
 }
+
+/** Returns the name that a table has for a key. */
+export const nameIn = (table: TomlTable, key: string, formerly?: string): string =>
+  formerly !== undefined && table[key] === undefined && table[formerly] !== undefined ? formerly : key;
 
 interface Table {
   /** Keys from the top of the document to the table. */
@@ -40,10 +46,10 @@ interface Table {
   keys: Key[];
 }
 
-export type KeyedFile = "machine" | "controller";
+export type SchemaKind = "machine" | "controller";
 
 export class Keys {
-  private readonly known = new Map<KeyedFile, Promise<Table[]>>();
+  private readonly known = new Map<SchemaKind, Promise<Table[]>>();
 
   constructor(private readonly session: Session) {}
 
@@ -51,7 +57,7 @@ export class Keys {
    * Requests the keys once. The result finds the keys of a table by its position, "controller.stops", and by
    * its kind.
    */
-  async of(file: KeyedFile): Promise<(at: string, kind?: string) => Key[]> {
+  async of(file: SchemaKind): Promise<(at: string, kind?: string) => Key[]> {
     const asked = this.known.get(file) ?? this.ask(file);
     this.known.set(file, asked);
     const tables = await asked;
@@ -61,7 +67,7 @@ export class Keys {
     };
   }
 
-  private async ask(file: KeyedFile): Promise<Table[]> {
+  private async ask(file: SchemaKind): Promise<Table[]> {
     const { messages } = await this.session.sendRequest({ do: "keys", of: file }, {}, new Map());
     return (messages.find(({ is }) => is === "keys")?.header.tables ?? []) as Table[];
   }

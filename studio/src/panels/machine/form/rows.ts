@@ -6,7 +6,7 @@ import type { FileRole } from "../file/model";
 import type { TomlPath, Toml, TomlTable } from "../file/toml";
 import type { Context } from "./context";
 import { Field, type FieldSpec } from "./field";
-import type { Key } from "./key_schema";
+import { nameIn, type Key } from "./key_schema";
 import { keyLabel } from "./quantity";
 
 const words = texts.machine;
@@ -39,7 +39,7 @@ export class Rows {
 
   constructor(
     private readonly context: Context,
-    specs: Record<string, FieldSpec>,
+    private readonly specs: Record<string, FieldSpec>,
     private readonly home: () => TableLocation,
     name = "rows",
   ) {
@@ -54,17 +54,22 @@ export class Rows {
   /** `fallbacks`: defaults of keys that the table does not have. */
   show(table: TomlTable, fallbacks: TomlTable = {}): void {
     this.table = table;
-    for (const [key, field] of this.fields) field.show(table[key], fallbacks[key]);
+    for (const [key, field] of this.fields) field.show(table[this.nameInFile(key)], fallbacks[key]);
   }
 
   field(key: string): Field | undefined {
     return this.fields.get(key);
   }
 
+  private nameInFile(key: string): string {
+    return nameIn(this.table, key, this.specs[key]?.formerly);
+  }
+
   private put(key: string, label: string, value: Toml | undefined): Promise<string> {
     const { part, at, owner } = this.home();
-    const place = [...at, key];
-    if (value === undefined && this.table[key] === undefined) return Promise.resolve("");
+    const name = this.nameInFile(key);
+    const place = [...at, name];
+    if (value === undefined && this.table[name] === undefined) return Promise.resolve("");
     const change = value === undefined ? ({ op: "remove", at: place } as const) : ({ op: "set", at: place, value } as const);
     return this.context.edits.change(part, words.changed(owner, label), [change]);
   }

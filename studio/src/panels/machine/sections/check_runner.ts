@@ -20,7 +20,7 @@ export class CheckRunner {
 
   constructor(
     private readonly context: Context,
-    private readonly told: (checked: CheckResponse) => void,
+    private readonly onChecked: (checked: CheckResponse) => void,
   ) {
     // The check of unreadable files is quick, so the reason is shown at once.
     context.store.on("run", (run) => {
@@ -53,6 +53,6 @@ export class CheckRunner {
     this.duration_ms = performance.now() - start_ms;
     if (asked !== this.asked) return;
     this.result.show(checked);
-    this.told(checked);
+    this.onChecked(checked);
   }
 }

@@ -23,13 +23,13 @@ export function createSummary(store: Store): Tab {
     element: host,
     draw(context) {
       const { report } = context;
-      const told = diagnosticItems(context, store);
+      const diagnostics = diagnosticItems(context, store);
       host.replaceChildren();
       if (!report) return;
       host.append(...sections(context, severeKinds, store));
       if (report.cycle_time_s > 0) host.append(figures(report, store));
       host.append(...sections(context, minorKinds, store));
-      if (told.length > 0) host.append(section(words.told, "finding", told));
+      if (diagnostics.length > 0) host.append(section(words.messages, "finding", diagnostics));
       if (report.efforts) host.append(createEfforts(report.efforts, store));
       if (report.following) host.append(createFollowingErrors(report.following, store));
       if (context.robot && report.bounds) host.append(createTravel(context.robot.scene.axes, report.bounds, axisWords));

@@ -1,4 +1,4 @@
-#include "calibrate/times/record_clock.h"
+#include "calibrate/times/log_timestamp.h"
 
 #include <chrono>
 

@@ -24,7 +24,7 @@ const DEFAULT_BOUNDS = new Box3(new Vector3(-100, -100, 0), new Vector3(100, 100
 /** A shorter path, as of a run that ended before it began, is not worth showing. */
 const MIN_WORK_SIZE_MM = 1;
 
-export class Stage {
+export class RunScene {
   readonly scene = new Scene();
   readonly machineGroup = new Group();
   readonly grid = new Grid();
