@@ -88,6 +88,21 @@ TEST_F(MachineImport, TablesAloneBecomeMachineData) {
     EXPECT_EQ(gsim_data({"offsets.txt", "get", "OFFSET", "55", "X"}).out, "12.5\n");
 }
 
+// Of a machine file, for the same diagnostics as of imported settings.
+TEST_F(MachineImport, OldNamesOfKeysAreWarnings) {
+    write("old.toml",
+          read(sample("machines/grbl-router.toml")) + "[calibration]\nruns = 2\nleft_percent = 0.5\n");
+    write("part.ngc", "G21 G0 X10\nM2\n");
+    const json found = report({"--machine", "old.toml", "part.ngc"})["diagnostics"][0];
+    EXPECT_EQ(found["severity"], "warning");
+    EXPECT_EQ(found["code"], "machine");
+    EXPECT_EQ(found["file"], "old.toml");
+    EXPECT_TRUE(contains(found["text"], "residual_percent")) << found;
+    for (const Ended& ended :
+         {gsim_run({"--machine", "old.toml", "part.ngc"}), gsim_run({"--check-machine", "old.toml"})})
+        EXPECT_TRUE(contains(ended.err, "old.toml:") && contains(ended.err, "left_percent")) << ended.err;
+}
+
 TEST_F(MachineImport, WhatGrblAnswersIsAMachine) {
     write("router.txt",
           "$11=0.010\n$12=0.002\n$22=0\n$100=250\n$101=250\n$102=250\n$110=6000\n$111=6000\n$112=6000\n$120="

@@ -68,6 +68,17 @@ TEST_F(Robots, EachIsRecordedInAPathOfItsOwn) {
     EXPECT_TRUE(contains(sample.err, "no path is recorded: the program tracks a conveyor")) << sample.err;
 }
 
+TEST_F(Robots, ReportSettingsThatAreNotImported) {
+    write("mill.ini",
+          "[EMC]\nMACHINE = mill\n[KINS]\nKINEMATICS = trivkins coordinates=X\nJOINTS = 1\n[TRAJ]\n"
+          "COORDINATES = X\nLINEAR_UNITS = mm\nMAX_LINEAR_VELOCITY = 100\n[HAL]\nHALFILE = a.hal\n[AXIS_X]\n"
+          "MIN_LIMIT = -10\nMAX_LIMIT = 10\nMAX_VELOCITY = 100\nMAX_ACCELERATION = 500\n");
+    write("r.toml", "[[robot]]\nname = \"left\"\nmachine = \"mill.ini\"\n");
+    const Ended ended = gsim_run({"--robots", "r.toml", write("cell.lua", "process('l', function() end)\n")});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "lines that are not imported")) << ended.err;
+}
+
 TEST_F(Robots, EachHasItsOwnWordsAndClock) {
     write("right.ngc", "o<hop> sub\nG91 G0 X[#1]\no<hop> endsub\no<hop> call [30]\nM2\n");
     const json report =
