@@ -2,10 +2,10 @@
 -- from a script:
 --   on_probe(function(from, to) return point or part or nil end)
 -- `from` and `to` hold machine coordinates by axis letter (mm, deg). The result is a point on the path, or
--- the share of
--- the path from 0 to 1, or nil without contact. A function `probe` of the script does the same.
+-- the share of the path from 0 to 1, or nil without contact. A function `probe` of the script does the same.
 
 local alarm = use("core/basics", "alarm")
+local axes = use "core/axes"
 local path = use "core/path"
 
 local PATH_TOLERANCE_MM = 0.01   -- max distance of a result from the path
@@ -37,7 +37,8 @@ local function path_share(from, to, point)
   for letter, value in pairs(point) do
     local lateral = math.abs(value - (from[letter] + part * (to[letter] - from[letter])))
     if lateral > PATH_TOLERANCE_MM then
-      alarm("probe", "the result of the probe is %.6g off the path on axis %s", lateral, letter:upper())
+      alarm("probe", "the result of the probe is %.6g %s off the path on axis %s", lateral,
+            axes.is_rotary[letter] and "deg" or "mm", letter:upper())
     end
   end
   return part

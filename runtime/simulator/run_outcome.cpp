@@ -86,6 +86,7 @@ bool RunOutcome::fail_during(const MoveInfo& move, Alarm alarm) {
 }
 
 bool RunOutcome::fail(const motion::PlanError& error, const SourceLocation& location) {
+    if (alarm_) return false;
     if (is_past_max_time()) return stop_for_time(location);
     if (error.joint < 0) return fail(diagnostic_kind(error.status), error.message, location);
     const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(error.joint)];

@@ -67,7 +67,7 @@ TEST(Probe, FindingNothingIsAnAlarmWhereItMust) {
 TEST(Probe, AnAnswerBesideTheWayIsRefused) {
     const std::string head = "G21() F(100)\n";
     expect_alarm(run_ngc_lua(head + "on_probe(function() return {x=2, y=1} end) G38_2{x=5}"), 2,
-                 {"[probe]", "1 off the path", "Y"});
+                 {"[probe]", "1 mm off the path", "Y"});
     expect_alarm(run_ngc_lua(head + "on_probe(function() return {x=6} end) G38_2{x=5}"), 2,
                  {"[probe]", "outside the path", "1.2"});
     expect_alarm(run_ngc_lua(head + "on_probe(function() return 'here' end) G38_2{x=5}"), 2,

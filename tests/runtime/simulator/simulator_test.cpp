@@ -41,6 +41,21 @@ TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
     EXPECT_THAT(report.alarm->message, HasSubstr("60 s of machine time"));
 }
 
+TEST_P(EachPlanner, TheFirstAlarmStays) {
+    Simulator simulator(machine(), {});
+    const motion::PlanError past_range{.status = rrs::Status::RRS_JOINT_LIMIT,
+                                       .message = "past its range",
+                                       .joint = 1,
+                                       .value = 9,
+                                       .limit = 8};
+    EXPECT_FALSE(simulator.outcome().fail(text::DiagnosticKind::feed, "no feed", {}));
+    EXPECT_FALSE(simulator.outcome().fail(past_range, {}));
+    ASSERT_TRUE(simulator.outcome().alarm());
+    EXPECT_EQ(simulator.outcome().alarm()->message, "no feed");
+    EXPECT_FALSE(simulator.outcome().alarm()->axis) << "that of the second error";
+    EXPECT_FALSE(simulator.outcome().alarm()->limit);
+}
+
 TEST_P(EachPlanner, ARunWithinTheLimitCompletes) {
     Simulator simulator(machine(), {.max_time_s = 60});
     simulator.moves().enqueue(line(100, 6000));
