@@ -3,7 +3,7 @@
 
 Usage: affected.py files SINCE      the files that changed, new ones included and deleted ones too
        affected.py changed SINCE    the C++ sources that changed
-       affected.py sources SINCE    the C++ sources that changed, and those that include a header that has
+       affected.py sources SINCE    the C++ sources that changed, and those that include a header that has lost a name or an include
        affected.py headers SINCE    one C++ source for each header that changed, so that the header is checked once
        affected.py tests SINCE      the folders of tests (tests/NAME) of the modules with changed sources, and of those that include them
        affected.py readers SINCE    the fuzz targets of the readers in the modules with changed sources
@@ -78,10 +78,20 @@ def including(headers, graph):
     return {name for name, used in graph.items() if used & headers}
 
 
+def lost_something(since, header):
+    """Returns True if a header has lost a name or an include. Sources that include it may miss one only then: batches compile all else."""
+    before = subprocess.run(["git", "show", f"{since}:{header}"], capture_output=True, text=True)
+    if before.returncode != 0 or not Path(header).exists():
+        return before.returncode == 0
+    after = Path(header).read_text(encoding="utf-8")
+    return any(set(found(before.stdout)) - set(found(after)) for found in (same_source.names_of, INCLUDE.findall))
+
+
 def changed_sources(since):
     graph = includes()
     changed = set(changed_files(since))
-    return sorted(name for name in (changed & set(graph)) | including(changed, graph) if name.endswith(".cpp"))
+    headers = {name for name in changed if since == "all" or (name.endswith(".h") and lost_something(since, name))}
+    return sorted(name for name in (changed & set(graph)) | including(headers, graph) if name.endswith(".cpp"))
 
 
 def one_for_each_header(since):

@@ -47,6 +47,19 @@ class Affected(unittest.TestCase):
         self.assertEqual(["low/b.h"], affected.changed_files("HEAD"))
         self.assertEqual(["high/c.cpp"], affected.changed_sources("HEAD"))
 
+    def test_a_header_that_only_gained_names_affects_no_source_by_itself(self):
+        self.write("low/b.h", "int b();\nint e();\n")
+        self.assertEqual(["low/b.h"], affected.changed_files("HEAD"))
+        self.assertEqual([], affected.changed_sources("HEAD"))
+        self.assertEqual(["high/c.cpp"], affected.one_for_each_header("HEAD"))
+
+    def test_a_header_that_lost_an_include_affects_what_includes_it(self):
+        self.write("low/b.h", '#include "low/a.h"\nint b();\n')
+        self.git("add", ".")
+        self.git("-c", "user.name=a", "-c", "user.email=a@example.org", "commit", "--quiet", "-m", "Include")
+        self.write("low/b.h", "int b();\n")
+        self.assertEqual(["high/c.cpp"], affected.changed_sources("HEAD"))
+
     def test_a_source_that_only_moved_has_not_changed(self):
         self.git("mv", "low", "base")
         self.write("base/a.cpp", SOURCES["low/a.cpp"].replace("low/", "base/"))
