@@ -48,7 +48,7 @@ class Command {
         return arguments_.metric ? std::optional(engine::LengthUnit::mm) : std::nullopt;
     }
 
-    MachineData::Format form() const {
+    MachineData::Format data_format() const {
         return arguments_.findings.json ? MachineData::Format::json : MachineData::Format::text;
     }
 
@@ -96,8 +96,8 @@ class Command {
     Status execute(MachineData& data) const {
         const DataArguments& a = arguments_;
         switch (a.command) {
-            case DataCommand::list: return print_result(data.list(form(), a.section));
-            case DataCommand::get: return print_result(data.get(form(), a.section, a.id, a.field));
+            case DataCommand::list: return print_result(data.list(data_format(), a.section));
+            case DataCommand::get: return print_result(data.get(data_format(), a.section, a.id, a.field));
             case DataCommand::set: return save(data.set(a.section, a.id, a.changes, unit()), data);
             case DataCommand::reset: return save(data.reset(a.section, a.id), data);
             case DataCommand::reset_all: return save(data.reset_all(a.section), data);

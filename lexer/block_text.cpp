@@ -31,7 +31,7 @@ void BlockText::clear() {
     program = {};
     print = {};
     end = BlockEnd::line;
-    remark = false;
+    has_line_comment = false;
     structural = false;
     bad = false;
 }

@@ -69,9 +69,9 @@ struct BlockText {
     std::string text;  ///< Numbers, names and comments, in order.
     std::string raw;   ///< The block as in the source; kept on request only.
     BlockEnd end = BlockEnd::line;
-    bool remark = false;      ///< The last comment follows ';', not between ( and ).
-    bool structural = false;  ///< It has a word of a control structure, understood or not.
-    bool bad = false;         ///< An error has been reported for this block.
+    bool has_line_comment = false;  ///< The last comment follows ';', not between ( and ).
+    bool structural = false;        ///< It has a word of a control structure, understood or not.
+    bool bad = false;               ///< An error has been reported for this block.
 
     std::string_view view(Slice slice) const {
         return std::string_view(text).substr(slice.begin, slice.size);
@@ -81,9 +81,9 @@ struct BlockText {
     void start_comment() { comments.push_back({static_cast<std::uint32_t>(text.size()), 0}); }
     void add_to_comment(std::string_view fragment) { comments.back().size += add(fragment).size; }
     /// Adds a part of the remark that ';' begins, which is the last comment.
-    void add_to_remark(std::string_view fragment) {
-        if (!remark) start_comment();
-        remark = true;
+    void add_to_line_comment(std::string_view fragment) {
+        if (!has_line_comment) start_comment();
+        has_line_comment = true;
         add_to_comment(fragment);
     }
     Location at(std::uint32_t column) const { return {begin.line_begin, begin.line, column}; }

@@ -16,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 # Words of names that stand for a term of docs/glossary.md.
-NAME_WORDS = """anew answer answers apart ask asks behind beside choice crowd fault faults foretell guest held inner kink least led
+NAME_WORDS = """anew answer answers apart ask asks behind beside choice crowd fault faults foretell guest held kink least led
     leeway look looks meeting mended most night own pace pacer piece pieces place places put puts refusal remedy room sentence sentences
     sheet stance stances stand stands stranger suspect suspects take taken taker takers takes tell tells tip tips told trouble untold wanted
     watch way ways whole why wrong""".split()

@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 constexpr int kNodes = 300;
 constexpr double kTolerance = 0.25;  // of the step
 constexpr double kSquareHalfDiagonal = std::numbers::sqrt2 / 2;
-constexpr double kSamePoint_mm = 1e-6;
+constexpr double kJoinTolerance_mm = 1e-6;
 
 /// Distances from the reach of the TCP, at the nodes of squares in its plane, and the line about those nodes
 /// that are near it.
@@ -129,7 +129,7 @@ class PlaneField {
             values.insert(values.end(), last.begin(), last.end());
             const Vector3d reached = nearest_reachable_point(chain_, values, outside);
             error_mm = std::max(error_mm, (reached - outside).norm());
-            if (loop.empty() || (reached - loop.back()).norm() > kSamePoint_mm) loop.push_back(reached);
+            if (loop.empty() || (reached - loop.back()).norm() > kJoinTolerance_mm) loop.push_back(reached);
         }
         return loop;
     }

@@ -26,7 +26,7 @@ std::string_view value_type_text(const json& value) {
     return value.is_number() ? "a number" : "true or false";
 }
 
-Unexpected no_entry(const TomlPath& list, const json& value) {
+Unexpected list_element_error(const TomlPath& list, const json& value) {
     return Unexpected(fmt::format("'{}' is a list of tables; {} cannot be an element of it",
                                   display_text(list), value_type_text(value)));
 }
@@ -145,7 +145,7 @@ Result<void> TomlEditor::merge_lists(const TomlPath& path, const ordered_json& v
     if (text_editor_.find(path) == nullptr) {
         const auto plain =
             std::find_if(value.begin(), value.end(), [](const auto& each) { return !each.is_object(); });
-        if (plain != value.end()) return no_entry(path, *plain);
+        if (plain != value.end()) return list_element_error(path, *plain);
     }
     const auto matched = match_elements(*at(path), json(value));
     std::vector<std::optional<std::size_t>> new_indices(at(path)->size());
@@ -242,7 +242,7 @@ Result<void> TomlEditor::make_element(const TomlPath& list, std::size_t index, c
     } else if (value.is_object()) {
         text_editor_.add_entry(list, value);
     } else {
-        return no_entry(list, value);
+        return list_element_error(list, value);
     }
     json_node.push_back(json(value));
     return {};

@@ -22,7 +22,7 @@ class Evolution {
     std::size_t population() const { return population_; }
     /// Returns the next trials, each in the box.
     std::vector<Eigen::VectorXd> sample_population();
-    /// Receives the ranking: the indices of all trials that ask() returned, the best one first.
+    /// Receives the ranking: the indices of all trials that sample_population() returned, the best one first.
     void update(std::span<const std::size_t> ranking);
     /// Returns true if the distribution has contracted so far that it yields no new results.
     bool has_converged() const;

@@ -25,8 +25,8 @@ tl::unexpected<engine::Error> setting_error(std::string message) {
     return tl::unexpected(engine::Error{.code = "setting", .message = std::move(message)});
 }
 
-double& pose_field(FramePose& pose, std::size_t place) {
-    return place < 3 ? pose.origin_mm[place] : pose.rpy_deg[place - 3];
+double& pose_field(FramePose& pose, std::size_t index) {
+    return index < 3 ? pose.origin_mm[index] : pose.rpy_deg[index - 3];
 }
 
 /// Returns the name of the path that a feed key refers to; empty result: the key is another one.
@@ -137,11 +137,11 @@ Result<engine::PathChanges> path_changes(std::span<const SettingValue> settings)
             changes.feeds.push_back({*std::move(path), value, setting.use == SettingUse::factor});
             continue;
         }
-        const auto* const place =
+        const auto* const field =
             std::find(kPoseFields.begin(), kPoseFields.end(),
                       setting.key.substr(std::min(kPosePrefix.size(), setting.key.size())));
-        if (place == kPoseFields.end()) return tl::unexpected(find_path_key_error(setting.key).value());
-        pose_field(changes.place, static_cast<std::size_t>(place - kPoseFields.begin())) = value;
+        if (field == kPoseFields.end()) return tl::unexpected(find_path_key_error(setting.key).value());
+        pose_field(changes.place, static_cast<std::size_t>(field - kPoseFields.begin())) = value;
     }
     return changes;
 }

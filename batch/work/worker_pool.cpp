@@ -182,11 +182,12 @@ Result<void> WorkerPool::remove_ended_worker(std::list<Worker>::iterator worker,
     std::deque<QueuedJob> jobs = std::move(worker->jobs);
     const bool timed_out = worker->timed_out;
     // An earlier run may have damaged the process, so the job is tried once more.
-    const bool may_be_earlier_job = worker->has_finished_job && !jobs.empty() && jobs.front().attempts == 0;
+    const bool may_be_earlier_job =
+        worker->has_finished_job && !jobs.empty() && jobs.front().killed_attempts == 0;
     workers_.erase(worker);
     if (jobs.empty()) return {};
     if (timed_out || !(may_be_earlier_job || was_killed_externally(status)) ||
-        ++jobs.front().attempts == kMaxAttempts) {
+        ++jobs.front().killed_attempts == kMaxAttempts) {
         rows.push_back(failure_row(jobs.front().job, status, timed_out, options_.timeout_s));
         jobs.pop_front();
     }

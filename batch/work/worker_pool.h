@@ -48,7 +48,7 @@ class WorkerPool {
 
     struct QueuedJob {
         Job job;
-        int attempts = 0;  ///< That somebody from outside has ended.
+        int killed_attempts = 0;  ///< That somebody from outside has ended.
     };
     struct Worker {
         pid_t child;

@@ -58,7 +58,7 @@ std::vector<CompensationTable> compensation_tables(const GeometryFit& fit,
                                                    std::span<const MeasuredTcp> tcps) {
     std::vector<CompensationTable> tables;
     for (const FittedDeviation& found : fit.found) {
-        if (found.deviation.of != Deviation::Of::scale) continue;
+        if (found.deviation.kind != Deviation::Kind::scale) continue;
         const machine::Axis& axis = fit.geometry.machine.axes[found.deviation.axis];
         double low = axis.min, high = axis.max;
         if (!std::isfinite(high - low)) {

@@ -16,7 +16,7 @@ namespace gsim::calibrate {
 
 namespace {
 
-using Of = Deviation::Of;
+using Kind = Deviation::Kind;
 
 constexpr double kPerMillion = 1e-6;
 constexpr std::array kAxisNames{'x', 'y', 'z'};
@@ -76,21 +76,21 @@ struct SmallMotions {
     Motion base, tool, work, instrument;
 
     Motion& of(const Deviation& deviation) {
-        switch (deviation.of) {
-            case Of::base: return base;
-            case Of::tool: return tool;
-            case Of::work: return work;
-            case Of::instrument: return instrument;
+        switch (deviation.kind) {
+            case Kind::base: return base;
+            case Kind::tool: return tool;
+            case Kind::work: return work;
+            case Kind::instrument: return instrument;
             default: return axes[deviation.axis];
         }
     }
 };
 
-void add_frame(std::vector<Deviation>& list, std::string_view frame, Of of, bool is_rotation) {
+void add_frame(std::vector<Deviation>& list, std::string_view frame, Kind kind, bool is_rotation) {
     for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
         list.push_back({.name = is_rotation ? fmt::format("{} turn_{}_deg", frame, kAxisNames[i])
                                             : fmt::format("{} {}_mm", frame, kAxisNames[i]),
-                        .of = of,
+                        .kind = kind,
                         .unit = is_rotation ? DeviationUnit::deg : DeviationUnit::mm,
                         .direction = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(i))});
     }
@@ -99,17 +99,17 @@ void add_frame(std::vector<Deviation>& list, std::string_view frame, Of of, bool
 void add_zero(std::vector<Deviation>& list, const machine::Machine& machine, std::size_t axis) {
     const bool linear = machine.axes[axis].kind == machine::AxisKind::linear;
     list.push_back({.name = fmt::format("{} zero_{}", machine.axes[axis].letter, linear ? "mm" : "deg"),
-                    .of = Of::zero,
+                    .kind = Kind::zero,
                     .unit = linear ? DeviationUnit::mm : DeviationUnit::deg,
                     .axis = axis});
 }
 
 /// Adds the two world axes most perpendicular to a joint's line, orthogonalised to it.
-void add_perpendicular(std::vector<Deviation>& list, const machine::Machine& machine, std::size_t axis, Of of,
-                       const Eigen::Vector3d& line) {
+void add_perpendicular(std::vector<Deviation>& list, const machine::Machine& machine, std::size_t axis,
+                       Kind kind, const Eigen::Vector3d& line) {
     Eigen::Index along = 0;
     line.cwiseAbs().maxCoeff(&along);
-    const bool tilt = of == Of::tilt;
+    const bool tilt = kind == Kind::tilt;
     Eigen::Vector3d first = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {
         if (i == along) continue;
@@ -119,7 +119,7 @@ void add_perpendicular(std::vector<Deviation>& list, const machine::Machine& mac
         if (first.isZero(0)) first = direction;
         list.push_back({.name = fmt::format("{} {}_{}_{}", machine.axes[axis].letter, tilt ? "tilt" : "shift",
                                             kAxisNames[static_cast<std::size_t>(i)], tilt ? "deg" : "mm"),
-                        .of = of,
+                        .kind = kind,
                         .unit = tilt ? DeviationUnit::deg : DeviationUnit::mm,
                         .axis = axis,
                         .direction = direction});
@@ -172,26 +172,26 @@ std::vector<Deviation> all_deviations(const machine::Machine& machine,
     }
     const auto line = [&](std::size_t axis) -> Eigen::Vector3d { return frames[axis].linear().col(2); };
     if (deviation_options.instrument_frame) {
-        add_frame(list, "instrument", Of::instrument, true);
-        add_frame(list, "instrument", Of::instrument, false);
+        add_frame(list, "instrument", Kind::instrument, true);
+        add_frame(list, "instrument", Kind::instrument, false);
     }
     for (std::size_t i = 0; i < machine.axes.size(); ++i)
         if (machine.axes[i].carries != machine::CarriedPart::none) add_zero(list, machine, i);
-    add_frame(list, "tool", Of::tool, false);
-    add_frame(list, "base", Of::base, true);
+    add_frame(list, "tool", Kind::tool, false);
+    add_frame(list, "base", Kind::base, true);
     for (const std::size_t axis : rotary) {
-        add_perpendicular(list, machine, axis, Of::shift, line(axis));
-        add_perpendicular(list, machine, axis, Of::tilt, line(axis));
+        add_perpendicular(list, machine, axis, Kind::shift, line(axis));
+        add_perpendicular(list, machine, axis, Kind::tilt, line(axis));
     }
-    for (const std::size_t axis : linear) add_perpendicular(list, machine, axis, Of::tilt, line(axis));
+    for (const std::size_t axis : linear) add_perpendicular(list, machine, axis, Kind::tilt, line(axis));
     for (auto axis = linear.rbegin(); axis != linear.rend(); ++axis)
         list.push_back({.name = fmt::format("{} scale_ppm", machine.axes[*axis].letter),
-                        .of = Of::scale,
+                        .kind = Kind::scale,
                         .unit = DeviationUnit::ppm,
                         .axis = *axis});
-    add_frame(list, "tool", Of::tool, true);
-    add_frame(list, "base", Of::base, false);
-    for (const bool is_rotation : {false, true}) add_frame(list, "work", Of::work, is_rotation);
+    add_frame(list, "tool", Kind::tool, true);
+    add_frame(list, "base", Kind::base, false);
+    for (const bool is_rotation : {false, true}) add_frame(list, "work", Kind::work, is_rotation);
     std::erase_if(list,
                   [&](const Deviation& deviation) { return is_fixed(deviation, deviation_options.fixed); });
     return list;
@@ -229,12 +229,12 @@ Geometry DeviatedMachine::at(std::span<const Deviation> deviations, const Eigen:
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         const Deviation& deviation = deviations[i];
         const double value = values[static_cast<Eigen::Index>(i)];
-        if (deviation.of == Of::zero) {
+        if (deviation.kind == Kind::zero) {
             found.machine.axes[deviation.axis].zero += value;
-        } else if (deviation.of == Of::scale) {
+        } else if (deviation.kind == Kind::scale) {
             found.scales[deviation.axis] += value * kPerMillion;
         } else {
-            motions.of(deviation).add(deviation, value);
+            motions.kind(deviation).add(deviation, value);
         }
     }
     // Motions that the next frame of each side must undo.

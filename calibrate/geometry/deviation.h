@@ -17,7 +17,7 @@ enum class DeviationUnit { mm, deg, ppm };
 
 /// One possible difference between a machine's geometry and its file; 0 is as the file has it.
 struct Deviation {
-    enum class Of {
+    enum class Kind {
         zero,        ///< For an axis: its reading at the joint's zero.
         scale,       ///< For a linear axis: it moves farther than it reads.
         shift,       ///< For a rotary axis: its line is offset from that in the file.
@@ -29,7 +29,7 @@ struct Deviation {
     };
 
     std::string name;  ///< "C shift_x_mm", "base turn_z_deg"
-    Of of = Of::zero;
+    Kind kind = Kind::zero;
     DeviationUnit unit = DeviationUnit::mm;
     std::size_t axis = 0;
     /// Direction of the shift or axis of the rotation. Shifts, tilts and those of the base count in world
@@ -53,7 +53,7 @@ struct DeviationOptions {
 std::vector<Deviation> all_deviations(const machine::Machine& machine,
                                       const DeviationOptions& deviation_options);
 
-/// Returns the first held word that occurs in no name, so that it holds no deviation.
+/// Returns the first fixed word that occurs in no name, so that it fixes no deviation.
 std::optional<std::string> find_unknown_fixed(const machine::Machine& machine,
                                               const DeviationOptions& deviation_options);
 

@@ -81,8 +81,8 @@ Json errors_json(const TcpErrorSummary& summary) {
 Result<std::string> geometry_text(const GeometryFit& fit) {
     std::string text = fmt::format("# Geometry by gsim-calibrate. {}.\n", summary_line(fit));
     for (const FittedDeviation& found : fit.found) {
-        const bool in_file =
-            found.deviation.of != Deviation::Of::scale && found.deviation.of != Deviation::Of::instrument;
+        const bool in_file = found.deviation.kind != Deviation::Kind::scale &&
+                             found.deviation.kind != Deviation::Kind::instrument;
         text += fmt::format("# {}: {} (one standard deviation){}\n", found.deviation.name,
                             value_with_uncertainty(found),
                             in_file ? "" : ", which a machine file cannot contain");

@@ -22,7 +22,7 @@ using EdgePath = std::vector<JetPoint>;
 
 constexpr double kMinCornerAngle_rad = 1.5 * kRadPerDeg;  // a turn that is no corner
 constexpr double kCornerStep_rad = 5 * kRadPerDeg;        // of the jet about a corner
-constexpr double kSamePoint_mm = 1e-7;
+constexpr double kMinMotion_mm = 1e-7;
 constexpr double kMaxCornerDistanceKerfs = 20;  // max distance of the jet from a lower corner
 constexpr double kEqualTolerance = 1e-9;
 
@@ -167,7 +167,7 @@ class JetPathBuilder {
             };
             const Vector from = flat(edge[i - 1].low_mm);
             const Vector direction = flat(edge[i].low_mm) - from;
-            const double share = direction.norm() < kSamePoint_mm
+            const double share = direction.norm() < kMinMotion_mm
                                      ? 0
                                      : std::clamp(-from.dot(direction) / direction.squaredNorm(), 0.0, 1.0);
             nearest = std::min(nearest, (from + share * direction).norm());
@@ -286,7 +286,7 @@ class JetPathBuilder {
             for (std::size_t i = 1; i < jet_path.size(); ++i) {
                 const Vector edge_step = jet_path[i].edge_mm - jet_path[i - 1].edge_mm;
                 const Vector step = jet_center(jet_path[i], jet_) - jet_center(jet_path[i - 1], jet_);
-                if (edge_step.norm() < kSamePoint_mm || step.dot(edge_step) > 0) continue;
+                if (edge_step.norm() < kMinMotion_mm || step.dot(edge_step) > 0) continue;
                 return Unexpected(
                     fmt::format("{} cannot be cut: at {} its radius is smaller than half the kerf, {:g} mm",
                                 name(jet_path[i].edge), display_text(jet_path[i].edge_mm), jet_.kerf_mm / 2));
@@ -315,7 +315,7 @@ class JetPathBuilder {
     static void add(const JetPoint& at, EdgePath& points) {
         if (!points.empty()) {
             const JetPoint& last = points.back();
-            const bool same = (at.edge_mm - last.edge_mm).norm() < kSamePoint_mm &&
+            const bool same = (at.edge_mm - last.edge_mm).norm() < kMinMotion_mm &&
                               (at.axis - last.axis).norm() < kEqualTolerance &&
                               (at.lateral - last.lateral).norm() < 1e-6;
             if (same) points.pop_back();

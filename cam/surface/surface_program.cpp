@@ -13,7 +13,7 @@ using path::MotionType;
 
 namespace {
 
-constexpr double kNoTravel_mm = 1e-6;
+constexpr double kMinTravel_mm = 1e-6;
 constexpr double kVerticalCosine = 1 - 1e-8;
 // Limit for the TCP's feed as a share of the feed along the edge; past these limits the edge no longer
 // counts.
@@ -132,11 +132,11 @@ class CutWriter {
         path::Point& point = add_point(move.via_mm ? MotionType::circular : MotionType::linear, move.end_mm);
         if (move.via_mm) point.arc = path::ViaPoint{to_work_frame(*move.via_mm)};
         if (move.axis_changes) point.orientation = tool_axis(move.axis);
-        if (move.tcp_mm < kNoTravel_mm) {
+        if (move.tcp_mm < kMinTravel_mm) {
             point.feed_deg_min = options_.turn_feed_deg_min;
             return;
         }
-        const double share = move.edge_mm > kNoTravel_mm ? move.tcp_mm / move.edge_mm : 1;
+        const double share = move.edge_mm > kMinTravel_mm ? move.tcp_mm / move.edge_mm : 1;
         const double tcp_ratio = std::clamp(share, kMinShare, kMaxFeedRatio);
         point.feed_mm_min = feed_mm_min(move) * tcp_ratio;
         count(move.tcp_mm, *point.feed_mm_min,

@@ -14,11 +14,11 @@ struct KerfRule {
 double kerf_mm(const KerfRule& rule, double mixing_tube_mm);
 
 /// Returns the narrowing of each side towards the exit, in mm, at most half of the kerf: slower cuts have
-/// less taper, in proportion to the speed. `separation_share` is the speed as a share of the separation
+/// less taper, in proportion to the speed. `speed_ratio` is the speed as a share of the separation
 /// speed.
-double taper_mm(const KerfRule& rule, double kerf_mm, double separation_share);
+double taper_mm(const KerfRule& rule, double kerf_mm, double speed_ratio);
 
 /// Returns the kerf at the exit, in mm, never below 0.
-double exit_kerf_mm(const KerfRule& rule, double kerf_mm, double separation_share);
+double exit_kerf_mm(const KerfRule& rule, double kerf_mm, double speed_ratio);
 
 }  // namespace gsim::waterjet

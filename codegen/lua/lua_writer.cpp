@@ -238,7 +238,7 @@ int LuaWriter::nesting_levels_around(const Block& block) const {
 /// that follows an O-word.
 void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::vector<lexer::Slice>& comments = block.text->comments;
-    const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
+    const std::size_t count = comments.size() - (block.text->has_line_comment ? 1 : 0);
     if (count == 0 || block.has_program) return;
     if (const auto done = write_active_comment(block.text->view(comments[count - 1]), out); !done)
         errors_.fail(1, DiagnosticKind::syntax, done.error().message);

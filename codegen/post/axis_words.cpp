@@ -13,7 +13,7 @@ AxisWords::AxisWords(std::span<const GcodeAxis> axes, const DecimalFormat& lengt
       angle_(angle),
       inch_(inch),
       verbose_(verbose),
-      printed_(axes.size(), kUnknownUnits),
+      printed_(axes.size(), kUnknownIncrements),
       rounding_residuals_(axes.size(), 0) {}
 
 std::size_t AxisWords::index_of(char letter) const {
@@ -26,22 +26,22 @@ double AxisWords::in_unit(double mm) const {
     return inch_ ? mm / kMmPerInch : mm;
 }
 
-std::int64_t AxisWords::units(std::size_t axis, double value) const {
-    return axes_[axis].rotary ? angle_.units(value) : length_units(value);
+std::int64_t AxisWords::increments(std::size_t axis, double value) const {
+    return axes_[axis].rotary ? angle_.increments(value) : length_increments(value);
 }
 
 std::string AxisWords::length_text(double mm) const {
     fmt::memory_buffer number;
-    length_.append(number, length_units(mm));
+    length_.append(number, length_increments(mm));
     return fmt::to_string(number);
 }
 
 /// Returns the printed value, and keeps its remainder.
 std::int64_t AxisWords::round(std::size_t axis, double value) {
-    const std::int64_t printed_units = units(axis, value);
+    const std::int64_t printed_increments = increments(axis, value);
     rounding_residuals_[axis] =
-        (axes_[axis].rotary ? value : in_unit(value)) - format(axis).value(printed_units);
-    return printed_units;
+        (axes_[axis].rotary ? value : in_unit(value)) - format(axis).value(printed_increments);
+    return printed_increments;
 }
 
 void AxisWords::write(ProgramText& block, std::span<const double> values) {
@@ -64,11 +64,11 @@ void AxisWords::set_position(std::span<const double> values) {
 }
 
 void AxisWords::forget_position(std::size_t axis) {
-    printed_[axis] = kUnknownUnits;
+    printed_[axis] = kUnknownIncrements;
 }
 
 void AxisWords::forget_positions() {
-    std::fill(printed_.begin(), printed_.end(), kUnknownUnits);
+    std::fill(printed_.begin(), printed_.end(), kUnknownIncrements);
 }
 
 void AxisWords::forget() {

@@ -30,10 +30,10 @@ class AxisWords {
 
     /// Returns a length in the program's unit.
     double in_unit(double mm) const;
-    /// Returns a length in printed units.
-    std::int64_t length_units(double mm) const { return length_.units(in_unit(mm)); }
-    /// Returns a value of an axis, in mm or deg, in printed units.
-    std::int64_t units(std::size_t axis, double value) const;
+    /// Returns a length in printed increments.
+    std::int64_t length_increments(double mm) const { return length_.increments(in_unit(mm)); }
+    /// Returns a value of an axis, in mm or deg, in printed increments.
+    std::int64_t increments(std::size_t axis, double value) const;
     const DecimalFormat& length() const { return length_; }
     const DecimalFormat& format(std::size_t axis) const { return axes_[axis].rotary ? angle_ : length_; }
     std::string length_text(double mm) const;
@@ -44,7 +44,7 @@ class AxisWords {
     bool would_change(std::span<const double> values);
     /// Sets the position of the axes, though no block has moved them there.
     void set_position(std::span<const double> values);
-    bool is_at(std::size_t axis, double value) const { return units(axis, value) == printed_[axis]; }
+    bool is_at(std::size_t axis, double value) const { return increments(axis, value) == printed_[axis]; }
     /// Returns the value of an axis less the printed one, in the program's unit.
     double rounding_residual(std::size_t axis) const { return rounding_residuals_[axis]; }
     /// Makes the axis be written again.
@@ -62,7 +62,7 @@ class AxisWords {
     DecimalFormat angle_;
     bool inch_;
     bool verbose_;
-    std::vector<std::int64_t> printed_;  ///< Printed units of each axis.
+    std::vector<std::int64_t> printed_;  ///< Printed increments of each axis.
     std::vector<double> rounding_residuals_;
 };
 

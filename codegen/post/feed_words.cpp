@@ -30,8 +30,8 @@ double FeedWords::in_unit(double mm) const {
     return options_.inch ? mm / kMmPerInch : mm;
 }
 
-std::int64_t FeedWords::positive_units(double value) const {
-    return std::max<std::int64_t>(1, format_.units(value));
+std::int64_t FeedWords::positive_increments(double value) const {
+    return std::max<std::int64_t>(1, format_.increments(value));
 }
 
 FeedWords::FeedMode FeedWords::mode_for(const GcodeFeed& feed) const {
@@ -66,7 +66,7 @@ void FeedWords::write(ProgramText& block, const GcodeFeed& feed, double turn_rad
         printed_ = next;
         return;
     }
-    const std::int64_t next = positive_units(feed.rotary ? feed.per_min : in_unit(feed.per_min));
+    const std::int64_t next = positive_increments(feed.rotary ? feed.per_min : in_unit(feed.per_min));
     if (next == printed_ && !options_.verbose) return;
     printed_ = next;
     block.word('F', next, format_);
@@ -74,15 +74,15 @@ void FeedWords::write(ProgramText& block, const GcodeFeed& feed, double turn_rad
 
 std::string FeedWords::text(double mm_min) const {
     fmt::memory_buffer number;
-    format_.append(number, positive_units(in_unit(mm_min)));
+    format_.append(number, positive_increments(in_unit(mm_min)));
     return fmt::to_string(number);
 }
 
 void FeedWords::write_acceleration(ProgramText& text, double mm_s2) {
     if (post_.acceleration.set.empty()) return;
-    const std::int64_t next = positive_units(in_unit(mm_s2));
-    if (next == acceleration_units_ && !options_.verbose) return;
-    acceleration_units_ = next;
+    const std::int64_t next = positive_increments(in_unit(mm_s2));
+    if (next == acceleration_increments_ && !options_.verbose) return;
+    acceleration_increments_ = next;
     fmt::memory_buffer number;
     format_.append(number, next);
     text.placeholders()["acceleration"] = fmt::to_string(number);
@@ -92,7 +92,7 @@ void FeedWords::write_acceleration(ProgramText& text, double mm_s2) {
 void FeedWords::forget() {
     forget_value();
     mode_ = initial_mode();
-    acceleration_units_ = kUnknownUnits;
+    acceleration_increments_ = kUnknownIncrements;
 }
 
 }  // namespace gsim::codegen

@@ -42,7 +42,7 @@ class FeedWords {
     /// Returns a feed as printed.
     std::string text(double mm_min) const;
     /// Makes F be written again.
-    void forget_value() { printed_ = kUnknownUnits; }
+    void forget_value() { printed_ = kUnknownIncrements; }
     /// Clears the active words, because another program begins, or one has been called.
     void forget();
 
@@ -53,14 +53,14 @@ class FeedWords {
     FeedMode mode_for(const GcodeFeed& feed) const;
     double in_unit(double mm) const;
     /// A feed that rounds to 0 would never reach the target.
-    std::int64_t positive_units(double value) const;
+    std::int64_t positive_increments(double value) const;
 
     const Post& post_;
     Options options_;
     DecimalFormat format_;
-    std::int64_t printed_ = kUnknownUnits;
+    std::int64_t printed_ = kUnknownIncrements;
     FeedMode mode_;
-    std::int64_t acceleration_units_ = kUnknownUnits;
+    std::int64_t acceleration_increments_ = kUnknownIncrements;
 };
 
 }  // namespace gsim::codegen

@@ -10,27 +10,27 @@
 
 namespace gsim::codegen {
 
-/// Printed units of a number that is not known.
-inline constexpr std::int64_t kUnknownUnits = INT64_MIN;
+/// Printed increments of a number that is not known.
+inline constexpr std::int64_t kUnknownIncrements = INT64_MIN;
 
 /// Decimals of numbers that are no positions.
 inline constexpr int kValueDecimals = 6;
 
-/// Format of numbers with so many decimals. The written value is an integer count of units of the last
-/// decimal, so two values are the same word if their units are equal.
+/// Format of numbers with so many decimals. The written value is an integer count of increments of the last
+/// decimal, so two values are the same word if their increments are equal.
 class DecimalFormat {
   public:
     DecimalFormat(int decimals, TrailingZeros zeros) : decimals_(decimals), trailing_zeros_(zeros) {
         for (int i = 0; i < decimals; ++i) decimal_scale_ *= 10;
     }
 
-    std::int64_t units(double value) const {
+    std::int64_t increments(double value) const {
         return std::llround(value * static_cast<double>(decimal_scale_));
     }
-    double value(std::int64_t units) const {
-        return static_cast<double>(units) / static_cast<double>(decimal_scale_);
+    double value(std::int64_t increments) const {
+        return static_cast<double>(increments) / static_cast<double>(decimal_scale_);
     }
-    void append(fmt::memory_buffer& out, std::int64_t units) const;
+    void append(fmt::memory_buffer& out, std::int64_t increments) const;
 
   private:
     int decimals_;
@@ -47,14 +47,14 @@ inline std::string trimmed(double value, int decimals) {
     return text == "-0" ? "0" : text;
 }
 
-inline void DecimalFormat::append(fmt::memory_buffer& out, std::int64_t units) const {
-    if (units < 0) {
+inline void DecimalFormat::append(fmt::memory_buffer& out, std::int64_t increments) const {
+    if (increments < 0) {
         out.push_back('-');
-        units = -units;
+        increments = -increments;
     }
-    const fmt::format_int integer_part(units / decimal_scale_);
+    const fmt::format_int integer_part(increments / decimal_scale_);
     out.append(integer_part.data(), integer_part.data() + integer_part.size());
-    std::int64_t fraction = units % decimal_scale_;
+    std::int64_t fraction = increments % decimal_scale_;
     char digits[20];
     for (int i = decimals_; i > 0; fraction /= 10) digits[--i] = static_cast<char>('0' + fraction % 10);
     int digit_count = decimals_;

@@ -103,8 +103,8 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
     for (const std::size_t direction : in_plane(words.plane)) {
         // Relative to the printed start, so that the error of the centre is only its own rounding.
         offsets[direction] =
-            axes_.length().units(axes_.in_unit(words.center_offset_mm[direction]) +
-                                 axes_.rounding_residual(axes_.index_of(letter_of(direction))));
+            axes_.length().increments(axes_.in_unit(words.center_offset_mm[direction]) +
+                                      axes_.rounding_residual(axes_.index_of(letter_of(direction))));
     }
     axes_.write(text_, values);
     for (const std::size_t direction : in_plane(words.plane))
@@ -124,7 +124,7 @@ void GcodeWriter::arc_through(std::span<const double> values, const std::array<d
     text_.code(words.code);
     axes_.write(text_, values);
     for (std::size_t i = 0; i < via_mm.size(); ++i)
-        text_.word(words.letters[i], axes_.length_units(via_mm[i]), axes_.length());
+        text_.word(words.letters[i], axes_.length_increments(via_mm[i]), axes_.length());
     feed_.write(text_, feed, turn_rad);
     text_.end();
 }

@@ -7,7 +7,7 @@ namespace gsim::codegen {
 
 void MachineBlocks::retract(double z_mm) {
     axes_.forget_positions();
-    if (post_.offsets.machine.empty() || z_units() == axes_.length_units(z_mm)) return;
+    if (post_.offsets.machine.empty() || z_increments() == axes_.length_increments(z_mm)) return;
     rapid({{'Z', z_mm}});
 }
 
@@ -17,7 +17,7 @@ void MachineBlocks::move(const std::vector<std::map<char, double>>& steps) {
 }
 
 void MachineBlocks::rapid(const std::map<char, double>& axes) {
-    z_units_ = z_units();
+    z_increments_ = z_increments();
     text_.begin();
     z_block_ = text_.begun();
     text_.code(post_.offsets.machine);
@@ -27,9 +27,9 @@ void MachineBlocks::rapid(const std::map<char, double>& axes) {
         const char letter = axes_.axes()[i].letter;
         const auto value = axes.find(letter);
         if (value == axes.end()) continue;
-        const std::int64_t printed_units = axes_.units(i, value->second);
-        text_.word(letter, printed_units, axes_.format(i));
-        if (letter == 'Z') z_units_ = printed_units;
+        const std::int64_t printed_increments = axes_.increments(i, value->second);
+        text_.word(letter, printed_increments, axes_.format(i));
+        if (letter == 'Z') z_increments_ = printed_increments;
     }
     text_.end();
 }

@@ -27,19 +27,21 @@ class MachineBlocks {
     /// Writes the same to a reference point, from 1, by the post's words for it; it must have this one. Only
     /// the letters of the steps are used.
     void move_to_reference(int number, const std::vector<std::map<char, double>>& steps);
-    void forget() { z_units_ = kUnknownUnits; }
+    void forget() { z_increments_ = kUnknownIncrements; }
 
   private:
     void rapid(const std::map<char, double>& axes);
-    /// Returns the machine coordinate of Z in printed units, if the last block is of this class.
-    std::int64_t z_units() const { return text_.begun() == z_block_ ? z_units_ : kUnknownUnits; }
+    /// Returns the machine coordinate of Z in printed increments, if the last block is of this class.
+    std::int64_t z_increments() const {
+        return text_.begun() == z_block_ ? z_increments_ : kUnknownIncrements;
+    }
 
     const Post& post_;
     ProgramText& text_;
     AxisWords& axes_;
     ModalWords& modal_;
-    std::int64_t z_units_ = kUnknownUnits;
-    std::uint64_t z_block_ = 0;  ///< Number of the block after which z_units_ is true.
+    std::int64_t z_increments_ = kUnknownIncrements;
+    std::uint64_t z_block_ = 0;  ///< Number of the block after which z_increments_ is true.
 };
 
 }  // namespace gsim::codegen

@@ -43,7 +43,7 @@ void OffsetBlocks::rapid_block(std::string_view letters, const std::array<double
     modal_.write_motion(text_, MotionWord::rapid);
     for (const char letter : letters) {
         const double mm = xyz_mm[static_cast<std::size_t>(letter - 'X')];
-        text_.word(letter, axes_.length_units(mm), axes_.length());
+        text_.word(letter, axes_.length_increments(mm), axes_.length());
     }
     text_.end();
 }

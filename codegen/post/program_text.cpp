@@ -58,9 +58,9 @@ void ProgramText::code(std::string_view text) {
     text_.append(text.data(), text.data() + text.size());
 }
 
-void ProgramText::word(std::string_view letter, std::int64_t units, const DecimalFormat& format) {
+void ProgramText::word(std::string_view letter, std::int64_t increments, const DecimalFormat& format) {
     code(letter);
-    format.append(text_, units);
+    format.append(text_, increments);
 }
 
 void ProgramText::lines(const std::vector<std::string>& templates) {

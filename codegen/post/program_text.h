@@ -38,10 +38,10 @@ class ProgramText {
     void begin_unnumbered() { first_word_ = true; }
     /// Writes words, with a leading space unless they begin the line.
     void code(std::string_view text);
-    /// Writes a word: its letter, and a number in units of the format.
-    void word(std::string_view letter, std::int64_t units, const DecimalFormat& format);
-    void word(char letter, std::int64_t units, const DecimalFormat& format) {
-        word({&letter, 1}, units, format);
+    /// Writes a word: its letter, and a number in increments of the format.
+    void word(std::string_view letter, std::int64_t increments, const DecimalFormat& format);
+    void word(char letter, std::int64_t increments, const DecimalFormat& format) {
+        word({&letter, 1}, increments, format);
     }
     void end();
     /// Returns how many blocks have begun.

@@ -68,11 +68,11 @@ DistanceBounds BodyPair::distance_in(const MotionPart& part, double cutoff_mm) c
     const Isometry3d from = fixed.inverse() * first.pose_in_world(part.from);
     const Isometry3d to = second.pose_in_world(part.to).inverse() * first.pose_in_world(part.to);
     const double deviation_mm = bound(part).deviation_mm;
-    const double far_mm =
+    const double lower_bound_mm =
         distance_mm(merged_box(bounding_box(*first.shape, from), bounding_box(*first.shape, to)),
                     bounding_box(*second.shape, Isometry3d::Identity())) -
         deviation_mm;
-    if (far_mm >= cutoff_mm) return {far_mm, far_mm};
+    if (lower_bound_mm >= cutoff_mm) return {lower_bound_mm, lower_bound_mm};
     const Gap gap = shape_distance(*first.shape, from, to, *second.shape, cutoff_mm + deviation_mm);
     // On a straight path without rotation, the hull is exactly the volume that the body passes.
     const double upper_mm = deviation_mm > 0 ? cutoff_mm : gap.upper_mm;
@@ -130,15 +130,16 @@ DistanceBounds BodyPair::nearest(const LinkMotion& motion, const MotionPart& par
 // As first_touch().
 std::optional<double> BodyPair::first_within_s(const LinkMotion& motion, const MotionPart& part,
                                                double distance_mm) const {
-    constexpr double kSamePoint_mm = 1e-3;
+    constexpr double kTouchTolerance_mm = 1e-3;
     constexpr double kMinDuration_s = 1e-6;
-    const double cutoff_mm = distance_mm + 2 * kSamePoint_mm;
+    const double cutoff_mm = distance_mm + 2 * kTouchTolerance_mm;
     std::vector<MotionPart> waiting{part};
     for (int parts = 0; !waiting.empty() && parts < kMaxMotionParts; ++parts) {
         const MotionPart next = std::move(waiting.back());
         waiting.pop_back();
-        if (distance_in(next, cutoff_mm).lower_mm > distance_mm + kSamePoint_mm) continue;
-        if (distance_at(next.from, cutoff_mm).upper_mm <= distance_mm + kSamePoint_mm) return next.from_s;
+        if (distance_in(next, cutoff_mm).lower_mm > distance_mm + kTouchTolerance_mm) continue;
+        if (distance_at(next.from, cutoff_mm).upper_mm <= distance_mm + kTouchTolerance_mm)
+            return next.from_s;
         if (next.to_s - next.from_s <= kMinDuration_s) return next.to_s;
         const LinkFrames middle = motion.links_at(next.middle_s());
         waiting.push_back(motion.second_half(next, middle));

@@ -30,8 +30,8 @@ local function path_share(from, to, point)
     if from[letter] == nil or type(value) ~= "number" then
       alarm("probe", "the result of the probe: '%s' is not an axis value", tostring(letter))
     end
-    local way = to[letter] - from[letter]
-    along, length = along + (value - from[letter]) * way, length + way * way
+    local travel = to[letter] - from[letter]
+    along, length = along + (value - from[letter]) * travel, length + travel * travel
   end
   local part = length > 0 and along / length or 0
   for letter, value in pairs(point) do

@@ -102,9 +102,9 @@ end
 -- --- The first move ---
 
 function ngc:enter_straight(item)
-  local way = g.distance(self.tool, item.segment and item.segment.to or self.tool)
-  if way <= self.radius then
-    self:raise_alarm(item, "%s is the entry move; its length of %.10g mm in the plane must be greater than the radius", way)
+  local entry_length = g.distance(self.tool, item.segment and item.segment.to or self.tool)
+  if entry_length <= self.radius then
+    self:raise_alarm(item, "%s is the entry move; its length of %.10g mm in the plane must be greater than the radius", entry_length)
   end
   item.point = g.offset_end(item.segment, self.side, self.radius)
   self.start = self.tool
@@ -118,9 +118,9 @@ function ngc:enter_circular(item)
     alarm("compensation",
       "the first move after G40 leaves cutter compensation and must be straight (G0 or G1), not an arc")
   end
-  local way = g.distance(self.tool, segment.to)
-  if way <= self.radius then
-    self:raise_alarm(item, "%s is the entry arc; its end is only %.10g mm from its start, not more than the radius", way)
+  local entry_length = g.distance(self.tool, segment.to)
+  if entry_length <= self.radius then
+    self:raise_alarm(item, "%s is the entry arc; its end is only %.10g mm from its start, not more than the radius", entry_length)
   end
   self:check_fits(item, self.side, self.radius)
   item.point = g.offset_end(segment, self.side, self.radius)

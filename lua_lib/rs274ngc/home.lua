@@ -23,13 +23,13 @@ end
 -- Only the named axes continue to the stored point, in the directions of the program; all axes if none is
 -- named.
 local function go(words, first)
-  local way, any = axes.programmed_point(), false
-  if words ~= nil then way, any = core.target(polar.resolve(words)) end
-  path.rapid(way)
+  local intermediate, any = axes.programmed_point(), false
+  if words ~= nil then intermediate, any = core.target(polar.resolve(words)) end
+  path.rapid(intermediate)
   local home = stored(first)
   for letter, value in pairs(home) do home[letter] = core.turned(letter, value) end
   if any then
-    local program, home_program = core.to_program(way), core.to_program(home)
+    local program, home_program = core.to_program(intermediate), core.to_program(home)
     for letter in pairs(polar.resolve(words)) do program[letter] = home_program[letter] end
     home = core.to_machine(program)
   end

@@ -111,20 +111,20 @@ spindle_word("M3", "cw")
 spindle_word("M4", "ccw")
 spindle_word("M5", nil)
 
-local ways = { [0] = "shortest way", [1] = "clockwise", [2] = "counterclockwise" }
+local directions = { [0] = "shortest way", [1] = "clockwise", [2] = "counterclockwise" }
 
 word("M19", function(words)
   check_spindle(words, "M19", true)
   words = words or {}
-  local angle, way = words.r or 0, ways[words.p or 0]
+  local angle, direction = words.r or 0, directions[words.p or 0]
   if angle < 0 or angle > FULL_TURN then
     alarm("word-value", "R of M19 must be an angle from 0 to 360 degrees, not %.10g", angle)
   end
-  if way == nil then alarm("word-value", "P of M19 must be 0, 1 or 2: shortest direction, clockwise or counterclockwise") end
+  if direction == nil then alarm("word-value", "P of M19 must be 0, 1 or 2: shortest direction, clockwise or counterclockwise") end
   if words.q ~= nil and words.q <= 0 then alarm("word-value", "Q of M19 must be a time greater than 0 s, not %.10g", words.q) end
   state.spindle = nil
   local within = words.q and (", within %.10g s"):format(words.q) or ""   -- it is there at once
-  path.event("spindle_orient", ("%.10g deg, %s%s"):format(angle, way, within))
+  path.event("spindle_orient", ("%.10g deg, %s%s"):format(angle, direction, within))
 end)
 
 -- --- Coolant ---

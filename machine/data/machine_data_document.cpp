@@ -14,7 +14,7 @@ std::string joined(const std::vector<DataLine>& lines) {
     return text;
 }
 
-std::string no_entry(DataSection section, std::string_view id) {
+std::string missing_entry_text(DataSection section, std::string_view id) {
     return fmt::format("{} {} does not exist in the file", keyword(section), printable_word(id));
 }
 
@@ -106,7 +106,7 @@ Result<void> MachineDataDocument::set(DataSection section, std::string_view id, 
 Result<void> MachineDataDocument::erase(DataSection section, std::string_view id) {
     return attempt([&]() -> Result<void> {
         const auto line = find_line(section, id);
-        if (!line) return tl::unexpected(no_entry(section, id));
+        if (!line) return tl::unexpected(missing_entry_text(section, id));
         erase_line(*line);
         return {};
     });
@@ -115,7 +115,7 @@ Result<void> MachineDataDocument::erase(DataSection section, std::string_view id
 Result<void> MachineDataDocument::reset(DataSection section, std::string_view id) {
     return attempt([&]() -> Result<void> {
         const auto line = find_line(section, id);
-        return line ? reset_line(*line) : tl::unexpected(no_entry(section, id));
+        return line ? reset_line(*line) : tl::unexpected(missing_entry_text(section, id));
     });
 }
 

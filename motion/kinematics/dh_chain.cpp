@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSameLine_mm = 1e-9;  // distance below which parallel axes count as one line
+constexpr double kLineTolerance_mm = 1e-9;  // distance below which parallel axes count as one line
 
 Branch make_branch(const rrs::CartPos& base, const std::vector<DhLink>& rows, const rrs::CartPos& tool) {
     Branch branch{.base = base, .end = tool};
@@ -65,7 +65,7 @@ Step common_normal_step(const rrs::CartPos& frame, const Screw& next) {
                 .x = normal.normalized()};
     }
     const Vector3d perpendicular = offset - z * z.dot(offset);
-    if (perpendicular.norm() < kSameLine_mm) return {.x = frame.linear().col(0)};
+    if (perpendicular.norm() < kLineTolerance_mm) return {.x = frame.linear().col(0)};
     return {.d_mm = 0, .a_mm = perpendicular.norm(), .x = perpendicular.normalized()};
 }
 

@@ -40,12 +40,14 @@ double extruder_speed_cap(const PlannerSetup& setup, const QueuedMove& before, c
 }  // namespace
 
 void join(const PlannerSetup& setup, const QueuedMove& before, QueuedMove& move) {
-    move.full.entry_cap = move.smooth.entry_cap = 0;
+    move.full.entry_cap_squared = move.smooth.entry_cap_squared = 0;
     if (!before.moves_tool || !move.moves_tool || before.stops) return;
-    move.full.entry_cap = std::min(
-        {move.max_speed_squared(), before.max_speed_squared(), before.full.entry_cap + before.full.change,
-         corner_speed_cap(setup, before, move), extruder_speed_cap(setup, before, move)});
-    move.smooth.entry_cap = std::min(move.full.entry_cap, before.smooth.entry_cap + before.smooth.change);
+    move.full.entry_cap_squared =
+        std::min({move.max_speed_squared(), before.max_speed_squared(),
+                  before.full.entry_cap_squared + before.full.change, corner_speed_cap(setup, before, move),
+                  extruder_speed_cap(setup, before, move)});
+    move.smooth.entry_cap_squared =
+        std::min(move.full.entry_cap_squared, before.smooth.entry_cap_squared + before.smooth.change);
 }
 
 }  // namespace gsim::motion::klipper

@@ -82,9 +82,10 @@ void KlipperModel::clear() {
 void KlipperModel::emit(std::size_t count) {
     for (; count > 0; --count) {
         const QueuedMove& move = queue_.front();
-        const double exit = queue_.size() > 1 ? std::min(queue_[1].full.entry, move.top) : 0;
+        const double exit =
+            queue_.size() > 1 ? std::min(queue_[1].full.entry_squared, move.cruise_speed_squared) : 0;
         emit(move, std::sqrt(exit));
-        last_cruise_squared_ = move.top;
+        last_cruise_squared_ = move.cruise_speed_squared;
         queue_.pop_front();
     }
 }
@@ -96,7 +97,8 @@ void KlipperModel::emit(const QueuedMove& move, double exit_speed) {
     segment.end = move.end;
     segment.length_mm = move.length_mm;
     segment.reaches_target = move.reaches_target;
-    segment.master_limits = {std::sqrt(move.top), move.acceleration, move.acceleration, kUnlimited};
+    segment.master_limits = {std::sqrt(move.cruise_speed_squared), move.acceleration, move.acceleration,
+                             kUnlimited};
     segment.master = TimeLaw::between(move.length, speed_, exit_speed, segment.master_limits);
     segment.master_limits.max_speed = std::max(move.max_speed, segment.master.peak_speed());
     segment.duration_s = segment.master.duration_s();

@@ -9,9 +9,10 @@ namespace gsim::motion::klipper {
 
 /// Squared speeds of one of the two plans for a move, in (mm/s)^2 or (rad/s)^2.
 struct Plan {
-    double change = 0;     ///< Possible change of the square along the path.
-    double entry_cap = 0;  ///< At its start, by its junction and by what the moves before it can reach.
-    double entry = 0;      ///< At its start, by what follows as well.
+    double change = 0;  ///< Possible change of the square along the path.
+    double entry_cap_squared =
+        0;                     ///< At its start, by its junction and by what the moves before it can reach.
+    double entry_squared = 0;  ///< At its start, by what follows as well.
 };
 
 /// Straight move that waits for its speeds, with the limits that were active when it was read.
@@ -37,7 +38,7 @@ struct QueuedMove {
     Plan full;               ///< With the acceleration of the move: how fast its ends are.
     Plan smooth;             ///< With what the minimum cruise ratio leaves of it: how fast it becomes.
     bool speeds_up = false;  ///< The smooth plan does: it can begin no faster, for all that follows.
-    double top = 0;          ///< The squared speed that it cruises at.
+    double cruise_speed_squared = 0;
 
     double max_speed_squared() const { return max_speed * max_speed; }
 };

@@ -10,7 +10,7 @@ namespace gsim::motion::linuxcnc {
 
 namespace {
 
-constexpr double kSameLength = 1e-9;  // a shortfall that is rounding
+constexpr double kShortfallRounding = 1e-9;  // a shortfall that is rounding
 
 // Unit of speed in mm/s for one period of acceleration, and unit of length in mm for one period of that
 // speed. The acceleration is 1 in these units, and a period takes 1.
@@ -114,8 +114,9 @@ Law make_law(const TimeLaw& time_law) {
 
 // True if a ramp from one speed to the other exists with acceleration 0 at both ends.
 bool has_curve(const Stretch& section, double start_speed, double end_speed) {
-    return std::isfinite(section.jerk) && ramp_length(start_speed, end_speed, section.acceleration,
-                                                      section.jerk) <= section.length * (1 + kSameLength);
+    return std::isfinite(section.jerk) &&
+           ramp_length(start_speed, end_speed, section.acceleration, section.jerk) <=
+               section.length * (1 + kShortfallRounding);
 }
 
 Profile curve(const Stretch& section, double start_speed, double end_speed) {

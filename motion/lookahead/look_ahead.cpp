@@ -102,7 +102,7 @@ void LookAhead::join(std::size_t count, Block& to) {
     Block& from = window_[count - 1];
     const PrecedingBlocks before{window_, count};
     const CornerSpeed corner =
-        setup_.move_limits ? limited_corner(before, to) : corner_speed(setup_, before, to);
+        setup_.move_limits ? limited_corner_speed(before, to) : corner_speed(setup_, before, to);
     to.entry_cap = corner.speed;
     to.entry_limit = corner.limit;
     to.entry_blend = corner.blend;
@@ -116,7 +116,7 @@ void LookAhead::join(std::size_t count, Block& to) {
 }
 
 /// Returns the speed of a corner that has its own accelerations.
-CornerSpeed LookAhead::limited_corner(const PrecedingBlocks& before, Block& to) {
+CornerSpeed LookAhead::limited_corner_speed(const PrecedingBlocks& before, Block& to) {
     to.corner_accelerations = corner_accelerations(setup_, before.back(), to);
     if (!to.corner_accelerations) return {};
     return corner_speed(setup_for_corner(setup_, *to.corner_accelerations), before, to);

@@ -69,7 +69,7 @@ class LookAhead final : public MotionModel {
     void emit_sections(const Block& block, const TimeLaw& law, double from, LimitCause limited_by,
                        bool reaches_target);
     void emit_dwell(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
-    CornerSpeed limited_corner(const PrecedingBlocks& before, Block& to);
+    CornerSpeed limited_corner_speed(const PrecedingBlocks& before, Block& to);
     void drop_slow_blend();
     void shrink_blend(double speed);
     void mark_target_reached(const PathMove& move);

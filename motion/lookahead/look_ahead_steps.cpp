@@ -52,13 +52,13 @@ class SectionMerger {
 
   private:
     bool continues(const LawSection& section) const {
-        constexpr double kSameSpeed = 1e-6;  // relative: 32 bits are no nearer
+        constexpr double kSpeedRounding = 1e-6;  // relative: 32 bits are no nearer
         const LawSection& last = sections_[count_ - 1];
         const auto has_constant_speed = [](const LawSection& one) {
-            return std::abs(one.a0) * one.duration_s <= kSameSpeed * one.v0;
+            return std::abs(one.a0) * one.duration_s <= kSpeedRounding * one.v0;
         };
         return has_constant_speed(last) && has_constant_speed(section) &&
-               std::abs(section.v0 - last.v0) <= kSameSpeed * last.v0;
+               std::abs(section.v0 - last.v0) <= kSpeedRounding * last.v0;
     }
 
     std::array<LawSection, TimeLaw::kMaxSections> sections_{};
@@ -93,11 +93,11 @@ void LookAhead::emit_steps(const Block& block, double exit_speed, bool reaches_t
 /// Outputs a part of the block that begins `from` past its start.
 void LookAhead::emit_sections(const Block& block, const TimeLaw& law, double from, LimitCause limited_by,
                               bool reaches_target) {
-    constexpr double kSameEnd = 1e-6;  // relative: lengths are of 32 bits
+    constexpr double kEndTolerance = 1e-6;  // relative: lengths are of 32 bits
     const double length = block.master.length;
     const double start = block.entry_blend.cut + from;
     const double end = start + law.length();
-    const bool is_last = length - block.exit_cut - end <= kSameEnd * length;
+    const bool is_last = length - block.exit_cut - end <= kEndTolerance * length;
     Segment& segment = output_.begin(block.move.target_id);
     set_path(
         move_part(block.move, length, start, is_last ? length - block.exit_cut : end, setup_.position_joints),

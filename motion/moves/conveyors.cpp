@@ -11,7 +11,7 @@ using rrs::Status;
 
 namespace {
 
-constexpr double kSameTravel_mm = 1e-6;
+constexpr double kTravelTolerance_mm = 1e-6;
 
 PlanResult no_such_conveyor(int conveyor) {
     return make_plan_error(Status::RRS_INVALID_PARAMETER,
@@ -44,7 +44,7 @@ PlanResult Conveyors::set_position(int conveyor, double position_mm) {
     const double now_s = timeline_.time_s();
     if (tracked_frame_.is_of(conveyor)) {
         const double current_mm = found->second.position_mm_at(now_s);
-        if (std::abs(position_mm - current_mm) <= kSameTravel_mm) return {};
+        if (std::abs(position_mm - current_mm) <= kTravelTolerance_mm) return {};
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
             fmt::format("The conveyor is being tracked and is at {} mm; it cannot jump to {} mm.", current_mm,

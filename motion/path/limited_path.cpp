@@ -65,7 +65,7 @@ bool stops_always(const PlannerSetup& setup) {
     return setup.controller.capabilities().stops_at_each_move;
 }
 
-LimitedPath way_of(const PlannerSetup& setup, const Block& block) {
+LimitedPath limited_path_of(const PlannerSetup& setup, const Block& block) {
     const bool stops = block.move.mode == rrs::PathMode::exact_stop || stops_always(setup);
     LimitedPath path{.points = {},
                      .straight = is_linear_move(block.move),
@@ -151,7 +151,7 @@ tl::expected<PlannerSetup, PlanError> setup_for_path(const PathMove& move, const
     if (!block) return tl::unexpected(std::move(block.error()));
     limited.joints = setup.joints;
     if (!*block) return limited;
-    LimitedPath path = way_of(setup, **block);
+    LimitedPath path = limited_path_of(setup, **block);
     if (PlanResult planned = setup.move_limits->limit(path, limited.joints); !planned)
         return tl::unexpected(std::move(planned.error()));
     if (move.kind == SegmentKind::circular && stops_always(setup)) split_curve_acceleration(path, limited);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxTargets = 64;
 constexpr double kPointTolerance_mm = 1e-9;
-constexpr double kSameOrientation = 1e-9;  // of the elements of a rotation
+constexpr double kOrientationTolerance = 1e-9;  // of the elements of a rotation
 
 Eigen::Quaterniond orientation(const CartPos& pose) {
     return Eigen::Quaterniond(Eigen::Matrix3d(pose.linear())).normalized();
@@ -48,7 +48,7 @@ tl::expected<double, PlanError> ObjectMotion::add_target(const CartPos& pose) {
     }
     const double length_mm = (pose.translation() - end_.translation()).norm();
     const double turn = (pose.linear() - end_.linear()).cwiseAbs().maxCoeff();
-    if (length_mm < kPointTolerance_mm && turn > kSameOrientation) {
+    if (length_mm < kPointTolerance_mm && turn > kOrientationTolerance) {
         return make_plan_error(
             Status::RRS_ZERO_SPEED,
             "The object would rotate without moving, but its speed is one along its path.");

@@ -13,7 +13,7 @@ constexpr double kTurnTolerance_rad = 1e-9;  // rounding of frames and inverse k
 constexpr double kAngleTolerance_rad = 1e-9;
 constexpr double kPoleTolerance = 1e-9;
 constexpr double kPoleSineTolerance = 1e-7;  // sine of the tilt below which the turn is lost in the direction
-constexpr double kSameEnd_rad = 1e-8;
+constexpr double kEndTolerance_rad = 1e-8;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ tl::expected<OrientationArc, OrientationError> OrientationArc::between(const kin
     if (turns && std::abs(arc.clairaut_) < kPoleTolerance) return error(OrientationError::different_solution);
     const HeadAngles reached = arc.at(arc.length_rad_).angles;
     const HeadAngles missing{end[head.turn_joint] - reached.turn, end[head.tilt_joint] - reached.tilt};
-    if (!(std::max(std::abs(missing.turn), std::abs(missing.tilt)) < kSameEnd_rad))
+    if (!(std::max(std::abs(missing.turn), std::abs(missing.tilt)) < kEndTolerance_rad))
         return error(OrientationError::different_solution);
     arc.rounding_drift_ = {missing.turn / arc.length_rad_, missing.tilt / arc.length_rad_};
     return arc;

@@ -11,9 +11,9 @@ namespace {
 /// Returns the first change after an instant. A segment that is cut at a change ends there except for
 /// rounding.
 auto next_change(const std::vector<OverrideChange>& changes, double t_s) {
-    constexpr double kSameInstant_s = 1e-9;
+    constexpr double kInstantTolerance_s = 1e-9;
     return std::upper_bound(
-        changes.begin(), changes.end(), t_s + kSameInstant_s,
+        changes.begin(), changes.end(), t_s + kInstantTolerance_s,
         [](double instant_s, const OverrideChange& change) { return instant_s < change.at_s; });
 }
 

@@ -201,8 +201,8 @@ void TimeBound::add_sub_segment(const SubSegment& sub_segment, double start_cap2
         std::min(end_cap2, start2 + 2 * sub_segment.motion_limits.acceleration * sub_segment.length);
     for (std::size_t i = joints_.size() - sub_segment.joint_count; i < joints_.size(); ++i) {
         const JointCell& joint = joints_[i];
-        front_speed2_ =
-            std::min(front_speed2_, (joint.share2_start * start2 + joint.gain) / joint.share2_end);
+        front_speed2_ = std::min(front_speed2_,
+                                 (joint.slope_squared_start * start2 + joint.gain) / joint.slope_squared_end);
     }
     sub_segments_.push_back(sub_segment);
     sub_segments_.back().start_speed2 = start2;
@@ -219,13 +219,14 @@ void TimeBound::run_backward_pass(BackwardPass& pass, std::size_t first) const {
                                  end2 + 2 * sub_segment.motion_limits.deceleration * sub_segment.length);
         for (std::size_t i = pass.joints; i < joints_end; ++i) {
             const JointCell& joint = joints_[i];
-            start2 = std::min(start2, (joint.share2_end * end2 + joint.gain) / joint.share2_start);
+            start2 =
+                std::min(start2, (joint.slope_squared_end * end2 + joint.gain) / joint.slope_squared_start);
         }
         double time_s = min_time_s(sub_segment.length, start2, end2, sub_segment.motion_limits);
         for (std::size_t i = pass.joints; i < joints_end; ++i) {
             const JointCell& joint = joints_[i];
-            time_s = std::max(time_s, min_time_s(joint.distance, joint.share2_start * start2,
-                                                 joint.share2_end * end2, joint.motion_limits));
+            time_s = std::max(time_s, min_time_s(joint.distance, joint.slope_squared_start * start2,
+                                                 joint.slope_squared_end * end2, joint.motion_limits));
         }
         pass.speed2 = start2;
         pass.time_s += time_s;

@@ -88,8 +88,8 @@ class TimeBound {
     };
     /// A joint in a cell of a curve.
     struct JointCell {
-        double share2_start;  // q1^2
-        double share2_end;
+        double slope_squared_start;  // q1^2
+        double slope_squared_end;
         double gain;      // the largest change of its squared speed in the cell
         double distance;  // its smallest travel
         MotionLimits motion_limits;

@@ -11,7 +11,7 @@ namespace gsim::motion {
 namespace {
 
 constexpr double kLengthRounding = 1e-12;
-constexpr double kNoAcceleration = 1e-9;  // relative to the ramp's
+constexpr double kAccelerationRounding = 1e-9;  // relative to the ramp's
 
 /// Collector of consecutive law parts.
 class LawBuilder {
@@ -59,7 +59,7 @@ double finish_ramp(const TimeLaw& law, double t_s, LawBuilder& sections) {
         sections.add(remainder.duration_s, remainder.v0, remainder.a0, remainder.jerk);
         speed = end_speed(remainder);
         const double last = remainder.a0 + remainder.jerk * remainder.duration_s;
-        if (last >= kNoAcceleration * std::min(remainder.a0, last)) break;
+        if (last >= kAccelerationRounding * std::min(remainder.a0, last)) break;
     }
     return speed;
 }

@@ -12,7 +12,7 @@ namespace {
 
 // Ratio up to which a length counts as that of the direct ramp: a smaller excess is the caller's rounding,
 // not a request to speed up.
-constexpr double kSameLength = 1 + 1e-12;
+constexpr double kRoundingFactor = 1 + 1e-12;
 constexpr int kMaxRootSteps = 60;
 
 // One end of a motion: the speed there, and the limit of the ramp between it and the peak.
@@ -110,7 +110,7 @@ SpeedShape peaked_shape(double length, double start, double end, double cap, con
     const RampEnds ends{speeds_up ? last : first, speeds_up ? first : last, limits.jerk};
     double above = 0;
     double cruise_length = 0;
-    if (length > ends.direct_length() * kSameLength) {
+    if (length > ends.direct_length() * kRoundingFactor) {
         const double headroom = cap - ends.fast.speed;
         const double ramp_length = std::isfinite(headroom) ? ends.length(headroom) : length;
         cruise_length = std::max(length - ramp_length, 0.0);
@@ -145,7 +145,7 @@ SpeedShape braking_shape(double length, double start, double end, double cap, co
                              ramp_length_by(end, cap - end, limits.deceleration, limits.jerk);
     if (remainder >= 0) return {-drop, end - cap, cap, remainder};
     const double direct = ramp_length_by(end, start - end, limits.deceleration, limits.jerk);
-    if (!(length > direct * kSameLength)) return {0, end - start, start, 0};
+    if (!(length > direct * kRoundingFactor)) return {0, end - start, start, 0};
     const double part = first_speed_drop(length, start, end, drop, limits);
     return {-part, end - start + part, start - part, 0};
 }

@@ -67,9 +67,9 @@ void set_path(const PathMove& move, Segment& segment) {
 }
 
 double switchable_s(const TimeLaw& law, double t_s, double jerk) {
-    constexpr double kNoAcceleration = 1e-9;  // of the law's greatest
+    constexpr double kNegligibleShare = 1e-9;  // of the law's greatest
     if (std::isinf(jerk)) return t_s;
-    const double none = kNoAcceleration * law.peak_acceleration();
+    const double none = kNegligibleShare * law.peak_acceleration();
     double end_s = 0;
     for (const LawSection& sub_segment : law.sections()) {
         end_s += sub_segment.duration_s;

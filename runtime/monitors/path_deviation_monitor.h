@@ -30,8 +30,8 @@ class PathDeviationMonitor final : public motion::PathSink, public RunOutput {
     /// `setup` must outlive this.
     explicit PathDeviationMonitor(const motion::PlannerSetup& setup);
 
-    /// Sets the tool tip for the moves that follow, as seen from the machine's tool centre point. It makes no
-    /// difference if no joint turns it about the part.
+    /// Sets the TCP for the moves that follow, relative to that without a tool offset. It makes no difference
+    /// if no joint turns it about the part.
     void set_tcp(const Eigen::Vector3d& tcp_mm);
     /// Announces the move with this target, which is about to be enqueued.
     void expect(rrs::TargetId id, const SourceLocation& location);

@@ -105,7 +105,7 @@ Status ModuleMoveSettings::send_joint_speeds(const motion::Move& move) {
     sent.joint_speeds = speeds;
     const Status status = shell_.SetJointSpeeds({}, all_of(speeds));
     if (status != Status::RRS_SERVICE_NOT_SUPPORTED) return status;
-    remarks_.emplace_back(
+    warnings_.emplace_back(
         "the controller does not support joint speeds (SetJointSpeeds): joints move at its default speeds");
     return Status::RRS_SUCCESS;
 }
@@ -120,7 +120,7 @@ void ModuleMoveSettings::send_blending(const motion::MoveParameters& move_parame
     sent_.merge_tolerance_mm = move_parameters.merge_tolerance_mm;
     if (shell_.SetPathMode(move_parameters.path_mode, move_parameters.tolerance_mm,
                            move_parameters.merge_tolerance_mm) == Status::RRS_SERVICE_NOT_SUPPORTED) {
-        remarks_.emplace_back(
+        warnings_.emplace_back(
             "the controller does not support path modes (G61, G64): it uses its default at the ends of "
             "moves");
     }
@@ -133,7 +133,7 @@ void ModuleMoveSettings::send_ramps(const motion::MoveParameters& move_parameter
                                         ? *move_parameters.ramps
                                         : motion::ProgrammedRamps(static_cast<int>(shell_.target().size()));
     const auto add_remark = [&](Status status) {
-        if (is_error_status(status)) remarks_.push_back(shell_.last_message());
+        if (is_error_status(status)) warnings_.push_back(shell_.last_message());
     };
     add_remark(shell_.SetRampMode(ramps.mode));
     for (const auto limit :

@@ -21,7 +21,7 @@ class ModuleMoveSettings {
     /// Sends the settings of a move. Returns an error if the module cannot make the move without one.
     rrs::Status send(const motion::Move& move);
     /// Returns messages on settings that the module has not accepted since the last call.
-    std::vector<std::string> drain_warnings() { return std::exchange(remarks_, {}); }
+    std::vector<std::string> drain_warnings() { return std::exchange(warnings_, {}); }
 
   private:
     rrs::Status send_kind(const motion::Move& move);
@@ -34,7 +34,7 @@ class ModuleMoveSettings {
     ModuleShell& shell_;
     const std::vector<motion::JointSetup>& joints_;
     motion::MoveParameters sent_;  ///< Sent terms: how moves are passed, and their ramps.
-    std::vector<std::string> remarks_;
+    std::vector<std::string> warnings_;
 };
 
 }  // namespace gsim::simulation

@@ -8,7 +8,7 @@ namespace gsim::simulation {
 namespace {
 
 // Difference below which instants show as equal; the later one, the start of the next segment, is reported.
-constexpr double kSameInstant_s = 0.5e-9;
+constexpr double kInstantTolerance_s = 0.5e-9;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ Sampler::Sampler(double step_s, double max_time_s) : step_s_(step_s), max_time_s
 }
 
 bool Sampler::is_due(double before_s) const {
-    return accepts_samples_ && next_s() < before_s - kSameInstant_s && next_s() <= max_time_s_;
+    return accepts_samples_ && next_s() < before_s - kInstantTolerance_s && next_s() <= max_time_s_;
 }
 
 void Sampler::on_segment(const motion::Segment& segment, const MoveInfo& info) {

@@ -30,16 +30,16 @@ RigidBody body_of(const machine::LinkMass& mass) {
 }
 
 JointDrive make_joint_drive(const machine::Axis& axis) {
-    const double speeds = axis.kind == machine::AxisKind::linear ? 1 / kMetresPerMm : kDegPerRad;
+    const double speed_factor = axis.kind == machine::AxisKind::linear ? 1 / kMetresPerMm : kDegPerRad;
     return {.coulomb_friction = axis.drive.coulomb_friction,
-            .viscous = axis.drive.viscous * speeds,
+            .viscous = axis.drive.viscous * speed_factor,
             .rotor = axis.drive.rotor,
             .counterweight = axis.drive.counterweight};
 }
 
 /// Returns the link that carries the masses on a joint, the tool or the work. Returns null for a body that is
 /// fixed in the world, because it needs no motor.
-RigidBody* make_link(const machine::Machine& machine, const std::string& on, DynamicsModel& model) {
+RigidBody* find_link(const machine::Machine& machine, const std::string& on, DynamicsModel& model) {
     if (on == "tool") return &model.tool;
     if (on == "work") return &model.work;
     const auto axis = on.size() == 1 ? machine.find(on[0]) : std::nullopt;
@@ -49,7 +49,7 @@ RigidBody* make_link(const machine::Machine& machine, const std::string& on, Dyn
 std::optional<std::string> add_shapes(const machine::Machine& machine, const cell::MeshFiles& files,
                                       DynamicsModel& model) {
     for (const machine::LinkShape& shape : machine.shapes) {
-        RigidBody* link = make_link(machine, shape.on, model);
+        RigidBody* link = find_link(machine, shape.on, model);
         if (shape.density_kg_m3 == 0 || link == nullptr) continue;
         const auto body = cell::compute_rigid_body(shape.form, shape.density_kg_m3, files);
         if (!body)
@@ -118,7 +118,7 @@ tl::expected<std::shared_ptr<const dynamics::Dynamics>, std::string> make_dynami
     model.links.resize(machine.axes.size());
     for (const machine::Axis& axis : machine.axes) model.drives.push_back(make_joint_drive(axis));
     for (const machine::LinkMass& mass : machine.dynamics->masses) {
-        RigidBody* link = make_link(machine, mass.on, model);
+        RigidBody* link = find_link(machine, mass.on, model);
         if (link != nullptr) *link = joined(*link, body_of(mass));
     }
     for (const machine::HoseTable& hose : machine.dynamics->hoses)

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/monitors/axes_time_monitor.h"
+#include "runtime/monitors/axis_acceleration_time_monitor.h"
 #include "runtime/monitors/following_monitor.h"
 #include "runtime/simulator/machine_dynamics.h"
 
@@ -50,8 +50,8 @@ void RunMonitors::apply_torque_limits() {
         return warnings_.add(
             "the controller is a module: it does not support 'limit = \"torque\"' of the machine file");
     }
-    axes_time_monitor_ = std::make_unique<AxesTimeMonitor>(machine_);
-    motion_.observe(*axes_time_monitor_);
+    axis_acceleration_time_monitor_ = std::make_unique<AxisAccelerationTimeMonitor>(machine_);
+    motion_.observe(*axis_acceleration_time_monitor_);
 }
 
 std::optional<FollowingSetup> RunMonitors::following_setup() const {
@@ -77,12 +77,12 @@ void RunMonitors::add_efforts(RunStatus status, const std::vector<std::string>& 
                               Report& report) const {
     if (!efforts_) return;
     report.drives.efforts = efforts_->report(programs);
-    if (axes_time_monitor_ == nullptr || status != RunStatus::completed) return;
-    report.drives.efforts->time_by_axis_accelerations_s = axes_time_monitor_->time_s();
+    if (axis_acceleration_time_monitor_ == nullptr || status != RunStatus::completed) return;
+    report.drives.efforts->time_by_axis_accelerations_s = axis_acceleration_time_monitor_->time_s();
     if (report.drives.efforts->time_by_axis_accelerations_s || report.cycle_time_s <= 0) return;
     report.messages.warnings.push_back(fmt::format(
         "torques limit the accelerations, and the time with the axis accelerations is unknown: {}",
-        axes_time_monitor_->error()));
+        axis_acceleration_time_monitor_->error()));
 }
 
 void RunMonitors::add_interval(RunStatus status, Report& report) const {

@@ -19,7 +19,7 @@
 
 namespace gsim::simulation {
 
-class AxesTimeMonitor;
+class AxisAccelerationTimeMonitor;
 class FollowingErrorMonitor;
 
 /// Monitors of the motion itself that every run has: its curvature and braking, and, as the machine file
@@ -65,7 +65,8 @@ class RunMonitors {
     EarlyBrakingMonitor early_braking_monitor_;
     std::shared_ptr<const dynamics::Dynamics> dynamics_;
     std::optional<EffortMonitor> efforts_;
-    std::unique_ptr<AxesTimeMonitor> axes_time_monitor_;         ///< Set if torques limit accelerations.
+    std::unique_ptr<AxisAccelerationTimeMonitor>
+        axis_acceleration_time_monitor_;                         ///< Set if torques limit accelerations.
     std::optional<ConfidenceIntervalMonitor> interval_monitor_;  ///< For a calibrated machine.
     std::unique_ptr<FollowingErrorMonitor> following_;           ///< Set if the machine has servo loops.
 };

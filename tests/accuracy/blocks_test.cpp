@@ -7,7 +7,7 @@
 namespace gsim::accuracy::blocks_test {
 namespace {
 
-TEST(Blocks, FollowOneAnotherAndPausesAreNone) {
+TEST(Blocks, FollowOneAnotherWithoutPauses) {
     const auto blocks = blocks_of({{3, 0.5}, {0, 0.25}, {5, 1}, {3, 2}, {0, 0.002}});
     ASSERT_EQ(blocks.size(), 3U);
     EXPECT_EQ(blocks[0].line, 3);
@@ -20,7 +20,7 @@ TEST(Blocks, FollowOneAnotherAndPausesAreNone) {
     EXPECT_EQ(blocks[2].end_s, 3.75);
 }
 
-TEST(Blocks, AreTheMovesOfALineInARow) {
+TEST(Blocks, GroupConsecutiveMovesOfLine) {
     std::istringstream moves(
         R"({"n":1,"file":"a.ngc","line":3,"kind":"rapid","to":{},"start_s":0,"end_s":1}
 {"n":2,"file":"a.ngc","line":3,"kind":"linear","to":{},"start_s":1,"end_s":1.5}
@@ -40,7 +40,7 @@ TEST(Blocks, AreTheMovesOfALineInARow) {
     EXPECT_EQ((*blocks)[1].end_s, 4);
 }
 
-TEST(Blocks, NameALineOfTheMovesThatCannotBeRead) {
+TEST(Blocks, ReportUnreadableLine) {
     std::istringstream moves("\n{\"line\":3}");
     const auto blocks = read_blocks(moves);
     ASSERT_FALSE(blocks);

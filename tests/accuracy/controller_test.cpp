@@ -7,7 +7,7 @@
 namespace gsim::accuracy::controller_test {
 namespace {
 
-TEST(Tolerance, IsAPartOfTheTimeOrAFixedTimeWhicheverIsMore) {
+TEST(Tolerance, IsLargerOfPercentageAndFixedTime) {
     const Tolerance tolerance{0.5, 0.005};
     EXPECT_TRUE(tolerance.is_within(0.05, 10));  // 0.5 % of 10 s
     EXPECT_TRUE(tolerance.is_within(-0.05, 10));
@@ -17,7 +17,7 @@ TEST(Tolerance, IsAPartOfTheTimeOrAFixedTimeWhicheverIsMore) {
     EXPECT_FALSE(tolerance.is_within(0.0051, 0.1));
 }
 
-TEST(Tolerance, HoldsAtItsBorderWhateverTheBinaryDigits) {
+TEST(Tolerance, IncludesItsBorderDespiteRounding) {
     const Tolerance tolerance{0.5, 0.005};
     for (int ms = 100; ms < 1000; ++ms) {
         const double recorded_s = ms / 1000.0;
@@ -27,13 +27,13 @@ TEST(Tolerance, HoldsAtItsBorderWhateverTheBinaryDigits) {
     }
 }
 
-TEST(Tolerance, DoesNotHoldForWhatIsNoNumber) {
+TEST(Tolerance, RejectsNonFiniteErrors) {
     const Tolerance tolerance{0.5, 0.005};
     EXPECT_FALSE(tolerance.is_within(std::numeric_limits<double>::quiet_NaN(), 10));
     EXPECT_FALSE(tolerance.is_within(std::numeric_limits<double>::infinity(), 10));
 }
 
-TEST(Controllers, AreFairWhereTheyAreClose) {
+TEST(Controllers, FairToleranceIncludesCloseTolerance) {
     for (const Controller& controller : kControllers) {
         for (const double recorded_s : {0.0, 0.05, 0.3, 1.0, 100.0}) {
             for (const double error_s : {0.0, 0.001, 0.004, 0.01, 0.4}) {

@@ -11,7 +11,7 @@ TimeOutcome outcome(const std::string& name, double recorded_s, double found_s) 
     return {name, "", true, recorded_s, found_s, ""};
 }
 
-TEST(Distribution, IsOfErrorsWithoutSign) {
+TEST(Distribution, UsesAbsoluteErrors) {
     std::vector<TimeOutcome> outcomes;
     for (int i = 1; i <= 20; ++i)
         outcomes.push_back(outcome("p" + std::to_string(i), 100, i % 2 == 0 ? 100 + i : 100 - i));
@@ -24,7 +24,7 @@ TEST(Distribution, IsOfErrorsWithoutSign) {
     EXPECT_EQ(all.within, 0U);
 }
 
-TEST(Distribution, CountsWhatIsRefusedAndNotWhatIsNotCounted) {
+TEST(Distribution, CountsRejectedButNotUncountedRuns) {
     TimeOutcome rejected = outcome("refused", 1, 1);
     rejected.found_s = Unexpected("no");
     TimeOutcome left_out = outcome("left out", 1, 9);

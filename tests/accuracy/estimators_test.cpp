@@ -35,7 +35,7 @@ std::string line(double x, double y, double feed, const std::string& kind = "lin
     return text.str();
 }
 
-TEST(ProgrammedMoves, HaveLengthsAndWhatTheAxesAllow) {
+TEST(ProgrammedMoves, HaveLengthsAndAxisLimits) {
     const auto moves = read_moves(line(30, 40, 6000) + line(30, 0, 600));
     ASSERT_EQ(moves.size(), 2U);
     EXPECT_DOUBLE_EQ(moves[0].length, 50);
@@ -45,7 +45,7 @@ TEST(ProgrammedMoves, HaveLengthsAndWhatTheAxesAllow) {
     EXPECT_DOUBLE_EQ(moves[1].enters.y(), -1);
 }
 
-TEST(ProgrammedMoves, GoRoundArcs) {
+TEST(ProgrammedMoves, FollowArcs) {
     const auto moves = read_moves(
         line(10, 0, 600) + R"({"kind":"arc_ccw","to":{"X":0,"Y":10,"Z":0},"center":{"X":0,"Y":0,"Z":0},)"
                            R"("normal":{"X":0,"Y":0,"Z":1},"turns":1,"feed":600})"
@@ -57,14 +57,14 @@ TEST(ProgrammedMoves, GoRoundArcs) {
     EXPECT_NEAR(moves[1].leaves.x(), -1, 1e-12);
 }
 
-TEST(ProgrammedMoves, SayWhichLineIsNone) {
+TEST(ProgrammedMoves, ReportInvalidLine) {
     std::istringstream in("{\"kind\":\"linear\"}\n");
     const auto moves = read_programmed_moves(in, router());
     ASSERT_FALSE(moves);
     EXPECT_EQ(moves.error().message.find("line 1"), 0U);
 }
 
-TEST(Estimators, OfLengthsAloneDivideByFeeds) {
+TEST(Estimators, DivideLengthByFeed) {
     const auto moves = read_moves(line(100, 0, 0, "rapid") + line(100, 50, 600) +
                                   R"({"kind":"dwell","start_s":1,"end_s":1.5})"
                                   "\n");
@@ -72,14 +72,14 @@ TEST(Estimators, OfLengthsAloneDivideByFeeds) {
     EXPECT_NEAR(camotics_s(moves), 100 / (10'000 / 60.0) + 5 + 0.5, 1e-9);
 }
 
-TEST(Estimators, OfTrapezoidsStopAtRightAnglesAndPassStraightOn) {
+TEST(Estimators, TrapezoidEstimatorStopsOnlyAtCorners) {
     // 100 mm at 100 mm/s and 1000 mm/s2 take L/v + v/a.
     EXPECT_NEAR(linuxcnc_parse_s(read_moves(line(100, 0, 6000))), 1.1, 1e-9);
     EXPECT_NEAR(linuxcnc_parse_s(read_moves(line(100, 0, 6000) + line(100, 100, 6000))), 2.2, 1e-9);
     EXPECT_NEAR(linuxcnc_parse_s(read_moves(line(100, 0, 6000) + line(200, 0, 6000))), 2.1, 1e-9);
 }
 
-TEST(Estimators, OfTrapezoidsSeeThirtyTwoMovesAhead) {
+TEST(Estimators, TrapezoidEstimatorLooksAhead32Moves) {
     // Many short lines in a row: the max speed is that from which 31 of them suffice to stop.
     std::string lines;
     for (int i = 1; i <= 2000; ++i) lines += line(0.01 * i, 0, 6000);

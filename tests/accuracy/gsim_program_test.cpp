@@ -27,7 +27,7 @@ Recording recording(const conformance::ScratchFolder& folder) {
     return sample_outcome;
 }
 
-TEST(CycleTime, IsThatOfACompletedRun) {
+TEST(CycleTime, IsReadOnlyFromCompletedRun) {
     EXPECT_EQ(read_cycle_time_s(R"({"status": "completed", "alarm": null, "cycle_time_s": 1.25})").value(),
               1.25);
     EXPECT_EQ(read_cycle_time_s(R"({"status": "alarm", "alarm": {"message": "limit"}, "cycle_time_s": 1})")
@@ -38,7 +38,7 @@ TEST(CycleTime, IsThatOfACompletedRun) {
     EXPECT_FALSE(read_cycle_time_s("{}"));
 }
 
-TEST(GsimProgram, RunsAProgramOnItsMachine) {
+TEST(GsimProgram, RunsProgramOnItsMachine) {
     const conformance::ScratchFolder folder;
     const fs::path fake = script(folder,
                                  "echo \"$@\" >\"$(dirname \"$0\")/arguments\"\n"
@@ -52,7 +52,7 @@ TEST(GsimProgram, RunsAProgramOnItsMachine) {
                                 (folder.path() / "router_a.ngc").string()));
 }
 
-TEST(GsimProgram, GivesItTheToolsOfTheRecording) {
+TEST(GsimProgram, PassesToolsOfRecording) {
     const conformance::ScratchFolder folder;
     const fs::path fake =
         script(folder,
@@ -66,7 +66,7 @@ TEST(GsimProgram, GivesItTheToolsOfTheRecording) {
               "NCFILE\nTOOL\n1 0 0 CUTTER\n2 0 0 CUTTER\nENDFILE\n");
 }
 
-TEST(GsimProgram, TellsTheFirstErrorWithoutFolders) {
+TEST(GsimProgram, ReportsFirstErrorWithoutFolders) {
     const conformance::ScratchFolder folder;
     const GsimProgram gsim(script(folder, "echo \"$6:3: no such code\" >&2\nexit 1\n"), {"machines"});
     EXPECT_EQ(gsim.cycle_time_s(recording(folder)).error().message, "router_a.ngc:3: no such code");
@@ -99,7 +99,7 @@ TEST(GsimProgram, ReadsTrajectoryAndMoves) {
     EXPECT_EQ(path->blocks[0].end_s, 0.5);
 }
 
-TEST(RecordedPath, IsUnpacked) {
+TEST(RecordedPath, IsReadFromCompressedFile) {
     const conformance::ScratchFolder folder;
     const fs::path csv = folder.write("router_a.csv", "t,x,y,z,line\n0,0,0,0,0\n0.01,0.5,0,0,3\n");
     ASSERT_EQ(std::system(fmt::format("gzip '{}'", csv.string()).c_str()), 0);
@@ -114,7 +114,7 @@ TEST(RecordedPath, IsUnpacked) {
     EXPECT_FALSE(recorded_path(sample_outcome));
 }
 
-TEST(Moves, BeginWithTheFirstMotion) {
+TEST(Moves, StartAtFirstMotionAfterDwell) {
     std::istringstream moves(
         "{\"n\":1,\"kind\":\"dwell\",\"start_s\":0,\"end_s\":3}\n{\"n\":2,\"kind\":\"rapid\",\"start_s\":3.5}"
         "\n"

@@ -35,27 +35,27 @@ double time_s(const std::vector<ProgrammedMove>& moves) {
     return klipper_estimator_s(moves, router());
 }
 
-TEST(KlipperEstimator, ALineIsATrapezoid) {
+TEST(KlipperEstimator, LineIsTrapezoid) {
     EXPECT_NEAR(time_s({line(100)}), 1.1, 1e-12);
 }
 
 /// Each phase takes a third of the time: half of the acceleration is left out at the peak.
-TEST(KlipperEstimator, AShortLineGoesOnForItsShare) {
+TEST(KlipperEstimator, ShortLineKeepsMinimumCruiseRatio) {
     EXPECT_NEAR(time_s({line(3)}), 3 * 0.0387298335, 1e-9);
 }
 
-TEST(KlipperEstimator, ARightAngleIsPassedAtItsSpeed) {
+TEST(KlipperEstimator, PassesRightAngleAtCornerSpeed) {
     // Each line: 95 mm/s up or down at 1000 mm/s2 on one side, 100 mm/s on the other.
     const double ramps_s = 0.1 + 0.095, ramps_mm = 5 + (100 * 100 - 25) / 2000.0;
     EXPECT_NEAR(time_s({line(100), line(100, 90)}), 2 * (ramps_s + (100 - ramps_mm) / 100), 1e-9);
 }
 
-TEST(KlipperEstimator, ADwellDoesNotStopIt) {
+TEST(KlipperEstimator, DwellDoesNotStopMotion) {
     EXPECT_NEAR(time_s({line(50), {.wait_s = 2}, line(50)}), 2 + 1.1, 1e-9);
 }
 
 /// Chords of 0.1 mm on 5 mm: sqrt(a r) but for the ramps.
-TEST(KlipperEstimator, ArcsAreChords) {
+TEST(KlipperEstimator, ArcsBecomeChords) {
     ProgrammedMove arc = line(10 * std::numbers::pi, 90);
     arc.radius_mm = 5;
     arc.sweep_rad = 2 * std::numbers::pi;
@@ -63,7 +63,7 @@ TEST(KlipperEstimator, ArcsAreChords) {
     EXPECT_NEAR(time_s({arc}), arc.length / speed + speed / 1000, 0.02);
 }
 
-TEST(KlipperEstimator, TheExtruderGoesByItselfFromRestToRest) {
+TEST(KlipperEstimator, ExtruderMoveBeginsAndEndsAtStandstill) {
     ProgrammedMove retract{.length = 2, .feed_s = 30, .speed_limit = 80, .acceleration = 800};
     EXPECT_NEAR(time_s({line(50), retract, line(50)}), 2 * 0.6 + 2.0 / 30 + 30.0 / 800, 1e-9);
 }

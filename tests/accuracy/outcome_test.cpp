@@ -34,7 +34,7 @@ TimeOutcome known(TimeOutcome sample_outcome) {
     return sample_outcome;
 }
 
-TEST(TimeOutcome, IsMarkedByTheTolerances) {
+TEST(TimeOutcome, IsMarkedByTolerances) {
     EXPECT_EQ(mark(outcome(10, 10.04), kController), Mark::close);
     EXPECT_EQ(mark(outcome(10, 9.9), kController), Mark::fair);
     EXPECT_EQ(mark(outcome(10, 10.21), kController), Mark::off);
@@ -46,13 +46,13 @@ TEST(TimeOutcome, IsMarkedByTheTolerances) {
     EXPECT_EQ(name(Mark::not_counted), "not counted");
 }
 
-TEST(TimeOutcome, HasAnErrorInPercentOfTheRecordedTime) {
+TEST(TimeOutcome, HasErrorInPercentOfRecordedTime) {
     EXPECT_NEAR(outcome(2, 1.9).error_percent(), -5, 1e-9);
     EXPECT_EQ(outcome(0, 0).error_percent(), 0);
     EXPECT_TRUE(std::isinf(outcome(0, 1).error_percent()));
 }
 
-TEST(Summary, CountsAndFindsTheLargestError) {
+TEST(Summary, CountsOutcomesAndFindsLargestError) {
     std::vector<TimeOutcome> outcomes{outcome(10, 10.01), outcome(10, 9.85), outcome(1, 1.5), rejected(),
                                       uncounted(outcome(1, 9))};
     outcomes[2].name = "worst";
@@ -66,7 +66,7 @@ TEST(Summary, CountsAndFindsTheLargestError) {
     EXPECT_FALSE(summary.good());
 }
 
-TEST(Summary, IsGoodWith95PercentCloseAndTheOthersFair) {
+TEST(Summary, IsGoodWith95PercentCloseAndOthersFair) {
     std::vector<TimeOutcome> outcomes(19, outcome(10, 10));
     outcomes.push_back(outcome(10, 10.1));
     EXPECT_TRUE(summarize(outcomes, kController).good());  // 19 of 20
@@ -74,7 +74,7 @@ TEST(Summary, IsGoodWith95PercentCloseAndTheOthersFair) {
     EXPECT_FALSE(summarize(outcomes, kController).good());  // 18 of 20
 }
 
-TEST(Summary, IsGoodWithAsManyAsItsControllerAsksFor) {
+TEST(Summary, UsesSharesOfItsController) {
     Controller half = kController;
     half.close_percent = 50;
     half.fair_percent = 75;
@@ -86,7 +86,7 @@ TEST(Summary, IsGoodWithAsManyAsItsControllerAsksFor) {
     EXPECT_FALSE(summarize(outcomes, half).good());
 }
 
-TEST(Summary, ForgivesWhatIsKnownButNotInThe95Percent) {
+TEST(Summary, IgnoresKnownErrorsButNotIn95Percent) {
     std::vector<TimeOutcome> outcomes(19, outcome(10, 10));
     outcomes.push_back(outcome(10, 11));
     EXPECT_FALSE(summarize(outcomes, kController).good());
@@ -98,12 +98,12 @@ TEST(Summary, ForgivesWhatIsKnownButNotInThe95Percent) {
     EXPECT_FALSE(summarize(outcomes, kController).good());  // 19 of 21
 }
 
-TEST(Summary, IsNotSpoiltByWhatIsNotCounted) {
+TEST(Summary, IgnoresUncountedOutcomes) {
     const std::vector<TimeOutcome> outcomes{outcome(10, 10), uncounted(outcome(1, 9)), uncounted(rejected())};
     EXPECT_TRUE(summarize(outcomes, kController).good());
 }
 
-TEST(PathOutcome, IsGoodWithinAMillimetre) {
+TEST(PathOutcome, IsGoodWithin1Mm) {
     EXPECT_TRUE((PathOutcome{"a", Distance{1.0, 3, 0.1}, ""}.good()));
     EXPECT_FALSE((PathOutcome{"a", Distance{1.001, 3, 0.1}, ""}.good()));
     EXPECT_FALSE((PathOutcome{"a", Distance{std::nan(""), 3, 0.1}, ""}.good()));

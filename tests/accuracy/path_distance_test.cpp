@@ -34,13 +34,13 @@ TimedPath two_moves(double pause_s, double sideways_mm = 0) {
     return path;
 }
 
-TEST(PathDistance, IsNoneOfAPathFromItself) {
+TEST(PathDistance, IsZeroForSamePath) {
     const auto distance = largest_distance(two_moves(0), two_moves(0));
     ASSERT_TRUE(distance) << distance.error().message;
     EXPECT_NEAR(distance->mm, 0, 1e-9);
 }
 
-TEST(PathDistance, CountsTimeFromTheStartOfEachBlock) {
+TEST(PathDistance, MeasuresTimeFromStartOfEachBlock) {
     const auto distance = largest_distance(two_moves(0), two_moves(0.303));
     ASSERT_TRUE(distance) << distance.error().message;
     // Between samples 10 ms apart a straight line misses a parabola by at most a t^2 / 8. The samples of the
@@ -48,7 +48,7 @@ TEST(PathDistance, CountsTimeFromTheStartOfEachBlock) {
     EXPECT_LT(distance->mm, kAcceleration_mm_s2 * 0.01 * 0.01 / 2);
 }
 
-TEST(PathDistance, IsThatOfTheWorstInstant) {
+TEST(PathDistance, IsMaximumOverTime) {
     EXPECT_NEAR(largest_distance(two_moves(0), two_moves(0, 3))->mm, 3, 1e-9);
 
     TimedPath late = two_moves(0);  // all of it 20 ms late, but the blocks are said to begin on time
@@ -60,7 +60,7 @@ TEST(PathDistance, IsThatOfTheWorstInstant) {
     EXPECT_NEAR(distance->into_block_s, kMove_s / 2 + 0.01, 0.011);
 }
 
-TEST(PathDistance, TakesABlockThatEndsEarlierAsAtRest) {
+TEST(PathDistance, HoldsPositionAfterEarlierBlockEnd) {
     TimedPath recorded = two_moves(0);
     TimedPath found = two_moves(0);
     found.blocks[0].end_s = kMove_s / 2;  // half the path, and no farther
@@ -71,7 +71,7 @@ TEST(PathDistance, TakesABlockThatEndsEarlierAsAtRest) {
     EXPECT_NEAR(distance->into_block_s, kMove_s, 1e-9);
 }
 
-TEST(PathDistance, NamesTheBlockThatIsNotShared) {
+TEST(PathDistance, NamesFirstDifferentBlock) {
     TimedPath found = two_moves(0);
     found.blocks[1].line = 6;
     EXPECT_EQ(largest_distance(two_moves(0), found).error().message, "block 2 is line 6, line 5 is recorded");
@@ -82,7 +82,7 @@ TEST(PathDistance, NamesTheBlockThatIsNotShared) {
               "block 2 is line 5, the end is recorded");
 }
 
-TEST(PathDistance, NeedsABlock) {
+TEST(PathDistance, RejectsPathsWithoutBlocks) {
     TimedPath nothing = two_moves(0);
     nothing.blocks.clear();
     EXPECT_EQ(largest_distance(nothing, nothing).error().message, "no sample lies in a block");

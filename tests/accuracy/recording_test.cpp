@@ -11,7 +11,7 @@ constexpr const Controller& kLinuxcnc = kControllers[0];
 constexpr const Controller& kGrbl = kControllers[1];
 constexpr const Controller& kLinuxcnc2 = kControllers[2];
 
-TEST(Recording, HasTheTimeOfItsController) {
+TEST(Recording, HasTimeOfItsController) {
     const std::string times_json =
         R"({"cycle_time_s": 3.618, "cycle_time_nominal_s": 3.5, "mode": "G61.1", "notes": "a square",
             "time_per_line": [[3, 0.904], [4, 0.904], [0, 0.002]]})";
@@ -30,7 +30,7 @@ TEST(Recording, HasTheTimeOfItsController) {
     EXPECT_EQ(grbl.note, "a square");
 }
 
-TEST(Recording, SaysWhatItsFiguresLack) {
+TEST(Recording, RejectsMissingOrInvalidValues) {
     Recording recording;
     EXPECT_FALSE(read_recorded_values("{", kGrbl, recording));
     EXPECT_FALSE(read_recorded_values("[]", kGrbl, recording));
@@ -52,7 +52,7 @@ TEST(Recording, DwellIsG4OutsideComments) {
     }
 }
 
-TEST(Recordings, AreProgramsWithFiguresByName) {
+TEST(Recordings, PairProgramsWithValuesByName) {
     const conformance::ScratchFolder folder;
     folder.write("router_b.ngc", "G1 X1 F10\n");
     folder.write("router_b.json", R"({"cycle_time_s": 2, "mode": "G61"})");
@@ -74,7 +74,7 @@ TEST(Recordings, AreProgramsWithFiguresByName) {
     EXPECT_FALSE(second.exact_stop);
 }
 
-TEST(Recordings, CountDwellsThatTheControllerTimes) {
+TEST(Recordings, CountDwellsTimedByController) {
     const conformance::ScratchFolder folder;
     folder.write("router_dwell.ngc", "G4 P1\n");
     folder.write("router_dwell.json", R"({"cycle_time_nominal_s": 1, "notes": ""})");
@@ -85,7 +85,7 @@ TEST(Recordings, CountDwellsThatTheControllerTimes) {
     EXPECT_EQ(recordings->front().machine_file, "grbl-router.toml");
 }
 
-TEST(Recordings, MayBeLinesOfATable) {
+TEST(Recordings, CanBeReadFromTable) {
     const conformance::ScratchFolder folder;
     folder.write("router_a.ngc", "G1 X1 F10\n");
     folder.write("router_b.ngc", "G1 X1 F10\n");
@@ -104,7 +104,7 @@ TEST(Recordings, MayBeLinesOfATable) {
     EXPECT_FALSE(find_recordings(folder.path(), kLinuxcnc2));
 }
 
-TEST(Recordings, NameTheFileThatCannotBeRead) {
+TEST(Recordings, NameUnreadableFile) {
     const conformance::ScratchFolder folder;
     folder.write("router_a.ngc", "");
     const auto times_json = folder.write("router_a.json", "{}");

@@ -16,7 +16,7 @@ std::vector<TimeOutcome> some_times() {
             {"router_c", "", true, 1.5, Unexpected("alarm: limit"), ""}};
 }
 
-TEST(TimeReport, HasARowForEachProgramAndALineOfFigures) {
+TEST(TimeReport, HasRowPerProgramAndSummaryLine) {
     EXPECT_EQ(
         time_report(some_times(), kGrbl, Format::plain),
         "Cycle times, grbl\n"
@@ -32,7 +32,7 @@ TEST(TimeReport, HasARowForEachProgramAndALineOfFigures) {
         "\n");
 }
 
-TEST(TimeReport, IsMarkdownToo) {
+TEST(TimeReport, IsAlsoWrittenAsMarkdown) {
     const std::string report = time_report(some_times(), kGrbl, Format::markdown);
     EXPECT_EQ(report.find("### Cycle times, grbl\n\n| program | note |"), 0U) << report;
     EXPECT_NE(report.find("\n\n- router_b: known: rounded\n- router_c: refused: alarm: limit\n\n1 of 3"),
@@ -40,7 +40,7 @@ TEST(TimeReport, IsMarkdownToo) {
         << report;
 }
 
-TEST(TimeReport, DoesNotCutACharacterInTwo) {
+TEST(TimeReport, DoesNotSplitUtf8Character) {
     std::vector<TimeOutcome> outcomes = some_times();
     outcomes[0].note =
         fmt::format("{}\xC3\xA4 and so on", std::string(36, 'a'));  // the cut is inside the a with dots
@@ -48,7 +48,7 @@ TEST(TimeReport, DoesNotCutACharacterInTwo) {
     EXPECT_NE(report.find(std::string(36, 'a') + "... "), std::string::npos) << report;
 }
 
-TEST(PathReport, SaysWhereTheDistanceIsLargest) {
+TEST(PathReport, ReportsLineOfLargestDistance) {
     const std::vector<PathOutcome> outcomes{{"router_a", Distance{0.25, 3, 0.1}, ""},
                                             {"router_b", Distance{12, 14, 1.5}, ""},
                                             {"router_c", Unexpected("no trajectory"), ""}};

@@ -23,7 +23,7 @@ constexpr RunTable kRuns{machine_name, error_kind, error_message};
 constexpr Controller kBox{
     .name = "box", .time_key = "time_s", .note_key = "note", .tools = 3, .runs = &kRuns};
 
-TEST(RunTable, HasARowForEachLineByTheNamesOfItsColumns) {
+TEST(RunTable, ReadsRowsByColumnNames) {
     const auto rows = read_rows("name\ttime_s\tnote\r\na\t1\t\r\n\nb\t2\n");
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].at("name"), "a");
@@ -33,7 +33,7 @@ TEST(RunTable, HasARowForEachLineByTheNamesOfItsColumns) {
     EXPECT_TRUE(read_rows("").empty());
 }
 
-TEST(RunTable, ListsRunsOfProgramsThatAreThere) {
+TEST(RunTable, ListsRunsOfExistingPrograms) {
     const conformance::ScratchFolder folder;
     folder.write("b.ngc", "G1 X1 F10\n");
     folder.write("a.ngc", "G1 X1 F10\n");
@@ -60,7 +60,7 @@ TEST(RunTable, ListsRunsOfProgramsThatAreThere) {
     EXPECT_EQ((*runs)[2].note, "it fell over");
 }
 
-TEST(RunTable, SaysWhichProgramHasNoTime) {
+TEST(RunTable, NamesProgramWithoutTime) {
     const conformance::ScratchFolder folder;
     folder.write("a.ngc", "G1 X1 F10\n");
     const auto runs =
@@ -81,7 +81,7 @@ TEST(RunTable, NamesMachinesWithDashes) {
     EXPECT_EQ(planner_of_linuxcnc_2_10(row), "pt1-jdef");
 }
 
-TEST(RunTable, FaultsOfACommitAreLeftOutByName) {
+TEST(RunTable, ReturnsOnlyErrorFlagsOfRecordedCommit) {
     EXPECT_EQ(fault_of_linuxcnc_2_10({{"flag", "trapezoidal_fallback,spindle_or_coolant"}}),
               "trapezoidal_fallback");
     EXPECT_EQ(fault_of_linuxcnc_2_10({{"flag", "acc_step"}}), "acc_step");

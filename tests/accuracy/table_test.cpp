@@ -8,14 +8,14 @@ namespace {
 const std::vector<Column> kColumns{{"name", Align::left}, {"s", Align::right}, {"mark", Align::left}};
 const std::vector<Row> kRows{{"a|b", "10.5", "good"}, {"longer", "7", ""}};
 
-TEST(Table, LinesUpItsColumns) {
+TEST(Table, AlignsColumns) {
     EXPECT_EQ(plain_table(kColumns, kRows),
               "name       s  mark\n"
               "a|b     10.5  good\n"
               "longer     7\n");
 }
 
-TEST(Table, IsMarkdownToo) {
+TEST(Table, IsAlsoWrittenAsMarkdown) {
     EXPECT_EQ(markdown_table(kColumns, kRows),
               "| name | s | mark |\n"
               "| --- | ---: | --- |\n"

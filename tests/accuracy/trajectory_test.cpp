@@ -22,7 +22,7 @@ std::string error(const std::string& text) {
     return trajectory ? "none" : trajectory.error().message;
 }
 
-TEST(Trajectory, IsReadByTheNamesOfItsColumns) {
+TEST(Trajectory, IsReadByColumnNames) {
     const Trajectory recorded = read(
         "t,x,y,z,b,c,current_vel,line,motion_type\n"
         "0.000,0.0,0.0,0.0,0.0,0.0,1.0,0,0\n"
@@ -35,7 +35,7 @@ TEST(Trajectory, IsReadByTheNamesOfItsColumns) {
     EXPECT_EQ(found[0].at_mm, (Position{1, 2, 3}));
 }
 
-TEST(Trajectory, SaysWhatCannotBeRead) {
+TEST(Trajectory, ReportsUnreadableInput) {
     EXPECT_EQ(error(""), "the trajectory lacks a column for time, X, Y or Z");
     EXPECT_EQ(error("t,x,y\n0,0,0\n"), "the trajectory lacks a column for time, X, Y or Z");
     EXPECT_EQ(error("t,x,y,z\n"), "the trajectory is empty");
@@ -45,7 +45,7 @@ TEST(Trajectory, SaysWhatCannotBeRead) {
     EXPECT_EQ(error("t,x,y,z\n1,0,0,0\n0.5,0,0,0\n"), "line 3 of the trajectory cannot be understood");
 }
 
-TEST(Trajectory, IsStraightBetweenSamplesAndRestsOutsideThem) {
+TEST(Trajectory, IsLinearBetweenSamplesAndConstantOutside) {
     const Trajectory trajectory{{1, {0, 0, 0}}, {2, {10, -4, 0}}, {2, {20, 0, 0}}, {4, {20, 0, 8}}};
     EXPECT_EQ(place_at_mm(trajectory, 0), (Position{0, 0, 0}));
     EXPECT_EQ(place_at_mm(trajectory, 1.25), (Position{2.5, -1, 0}));

@@ -51,7 +51,7 @@ class AutopathInCell : public Apps {
     }
 };
 
-TEST_F(AutopathInCell, WaysLeadPastTheBlockThatARunFindsWithout) {
+TEST_F(AutopathInCell, AvoidsBlockThatDirectPathHits) {
     cell(std::string(kPlate) + kBlock);
     ASSERT_EQ(autopath({}).status, 0);
     const Ended hit = drive();
@@ -64,7 +64,7 @@ TEST_F(AutopathInCell, WaysLeadPastTheBlockThatARunFindsWithout) {
     EXPECT_EQ(is_clean.status, 0) << is_clean.out;
 }
 
-TEST_F(AutopathInCell, WithNothingInTheWayThePathIsTheSame) {
+TEST_F(AutopathInCell, KeepsPathIfNothingObstructsIt) {
     cell(kPlate);
     ASSERT_EQ(autopath({}).status, 0);
     const std::string without = read("holes.path.json");
@@ -76,7 +76,7 @@ TEST_F(AutopathInCell, WithNothingInTheWayThePathIsTheSame) {
     EXPECT_EQ(read("holes.path.json"), without);
 }
 
-TEST_F(AutopathInCell, AHoleBelowAClampIsRefusedByItsName) {
+TEST_F(AutopathInCell, RejectsHoleBelowClampByName) {
     cell(std::string(kPlate) +
          "[[object]]\nname = \"clamp\"\nshape = { box_mm = [40.0, 40.0, 30.0] }\n"
          "frame = { x_mm = 750.0, y_mm = 530.0, z_mm = 115.0 }\n");
@@ -88,7 +88,7 @@ TEST_F(AutopathInCell, AHoleBelowAClampIsRefusedByItsName) {
     EXPECT_FALSE(exists("holes.path.json"));
 }
 
-TEST_F(AutopathInCell, TheWorkOffsetOfTheMachineDataCounts) {
+TEST_F(AutopathInCell, UsesWorkOffsetOfMachineData) {
     // The same positions, as the program counts them from (500, 500, 100).
     write("cell.toml",
           "[cell]\nname = \"two holes\"\nmachine = \"af5\"\nmachine_data = \"data.txt\"\n"
@@ -105,7 +105,7 @@ TEST_F(AutopathInCell, TheWorkOffsetOfTheMachineDataCounts) {
     EXPECT_EQ(is_clean.status, 0) << is_clean.out << is_clean.err;
 }
 
-TEST_F(AutopathInCell, WhatTheMachineDoesNotReachIsSaidWithItsContour) {
+TEST_F(AutopathInCell, ReportsUnreachableContour) {
     cell(kPlate);
     const Ended outcome = run_program(tests::program_path("autopath"),
                                       {"holes.svg", "--speed", "400", "--kerf", "1", "--at", "1700", "500",
@@ -116,7 +116,7 @@ TEST_F(AutopathInCell, WhatTheMachineDoesNotReachIsSaidWithItsContour) {
     EXPECT_TRUE(contains(outcome.err, "X")) << outcome.err;
 }
 
-TEST_F(AutopathInCell, ACellThatIsNotThereIsAnError) {
+TEST_F(AutopathInCell, ReportsMissingCellFile) {
     const Ended outcome = autopath({"--cell", "nowhere.toml"});
     EXPECT_NE(outcome.status, 0);
     EXPECT_TRUE(contains(outcome.err, "nowhere.toml")) << outcome.err;

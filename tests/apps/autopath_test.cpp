@@ -35,14 +35,14 @@ std::string dxf(const std::string& entities) {
     return fmt::format("0\nSECTION\n2\nENTITIES\n{}0\nENDSEC\n0\nEOF\n", entities);
 }
 
-TEST_F(AutopathProgram, WritesAPathFile) {
+TEST_F(AutopathProgram, WritesPathFile) {
     const Ended ended = cut("part.svg", svg("<rect width='50' height='30'/><circle cx='20' cy='15' r='5'/>"));
     EXPECT_EQ(ended.status, 0) << ended.err;
     EXPECT_TRUE(contains(ended.err, "2 contours, 2 pierces")) << ended.err;
     EXPECT_TRUE(contains(read("part.path.json"), "waterjet_on"));
 }
 
-TEST_F(AutopathProgram, AMaterialGivesTheSpeedsAndThePrice) {
+TEST_F(AutopathProgram, ReportsCuttingSpeedOfMaterial) {
     write("part.svg", svg("<rect width='50' height='30'/>"));
     const Ended ended = autopath(
         {"part.svg", "--material", "aluminum", "--thickness", "12", "--report", "-o", "part.path.json"});
@@ -52,7 +52,7 @@ TEST_F(AutopathProgram, AMaterialGivesTheSpeedsAndThePrice) {
     EXPECT_TRUE(contains(autopath({"part.svg", "--material", "cheese", "--thickness", "12"}).err, "cheese"));
 }
 
-TEST_F(AutopathProgram, BadGeometryIsNamedAndLeavesNoFile) {
+TEST_F(AutopathProgram, ReportsBadGeometryAndWritesNoFile) {
     const std::string line = "0\nLINE\n5\nA1\n8\n0\n10\n0\n20\n0\n11\n10\n21\n0\n";
     expect_refused("part.dxf", dxf(line), "LINE A1 at line 6");
     expect_refused("part.dxf", dxf("0\nLINE\n5\nA2\n10\n3\n20\n4\n11\n3\n21\n4\n"),
@@ -66,7 +66,7 @@ TEST_F(AutopathProgram, BadGeometryIsNamedAndLeavesNoFile) {
     expect_refused("part.txt", "", "neither");
 }
 
-TEST_F(AutopathProgram, AMillionEntitiesAreRefused) {
+TEST_F(AutopathProgram, RejectsMillionEntities) {
     std::string entities;
     for (int i = 0; i < 1'000'000; ++i) entities += "0\nCIRCLE\n10\n0\n20\n0\n40\n5\n";
     expect_refused("part.dxf", dxf(entities), "CIRCLE exceeds the limit of 500000 lines and arcs");

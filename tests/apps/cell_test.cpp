@@ -35,7 +35,7 @@ shape = { sphere_mm = 10.0 }
 )");
 };
 
-TEST_F(Cell, CollisionsAndNearMissesAreReported) {
+TEST_F(Cell, ReportsCollisionsAndNearMisses) {
     const json r = report(write("part.nc", "G1 X100 Y216 F6000\nX300\nY100\nG1 X100 Y200\nX200\n"), 1);
     EXPECT_EQ(r["status"], "completed");
     EXPECT_EQ(r["cell"]["name"], "a post");
@@ -51,7 +51,7 @@ TEST_F(Cell, CollisionsAndNearMissesAreReported) {
     EXPECT_EQ(r["clearances"][1]["point_mm"], r["collisions"][0]["point_mm"]);
 }
 
-TEST_F(Cell, AScriptMovesAFrameWhereItStands) {
+TEST_F(Cell, ScriptMovesFrameOutOfPath) {
     const std::string script = write("part.lua", R"(local _ENV = require "gsim"
 F(6000) G1{x=150, y=200}
 local status, pose = rrs.GetCellFrame("post")
@@ -66,7 +66,7 @@ G1{x=300}
 }
 
 // A contact from before a frame was moved remains, though the moves were still pending in the planner.
-TEST_F(Cell, AFrameIsMovedBehindTheMovesSoFar) {
+TEST_F(Cell, FrameMovesAfterPendingMoves) {
     const std::string script = write("part.lua", R"(local _ENV = require "gsim"
 F(6000) G1{x=150, y=200}
 G1{x=250}
@@ -80,7 +80,7 @@ G1{x=150}
     EXPECT_EQ(r["collisions"][0]["line"], 3);
 }
 
-TEST_F(Cell, TargetsOfAScriptAreInFramesOfTheCell) {
+TEST_F(Cell, ScriptTargetsUseCellFrames) {
     const std::string script = write("part.lua", R"(local _ENV = require "gsim"
 G0{x=250, y=250, z=50}
 assert(rrs.SelectWorkFrames("tip", "pst") == -10)
@@ -101,7 +101,7 @@ F(6000) MoveLinear{x=-60, y=100, z=35}
     EXPECT_NEAR(r["bounds"]["Y"]["max"].get<double>(), 200 + 100, 1e-9);
 }
 
-TEST_F(Cell, AnObjectThatAScriptLeadsIsLookedAtOnItsWay) {
+TEST_F(Cell, ChecksObjectMovedByScript) {
     const std::string script = write("part.lua", R"(local _ENV = require "gsim"
 F(6000) G1{x=150, y=200}
 assert(rrs.SelectObject("tool") < 0 and rrs.SelectObject("psot") < 0)
@@ -122,7 +122,7 @@ wait(8)
                 r["cycle_time_s"].get<double>() - 10 + (190 - 155) / 10.0, 1e-6);
 }
 
-TEST_F(Cell, TheSampleRunsWithItsMachine) {
+TEST_F(Cell, ReportsCollisionInSampleCell) {
     const std::string part = write("part.nc", "G0 X200 Y200 Z50\nG0 X1500 Y400\nG1 Z100 F3000\nG0 Z50\n");
     const std::string cell = tests::source_path("samples/cell/table.toml");
     const Ended e = gsim_run({part, "--cell", cell});
@@ -145,7 +145,7 @@ std::string with_clamp_moved(std::string text, int clamp, double by_mm) {
 
 // The rim is cut on a circle of 215.9 mm; a clamp's end is 240 mm from its middle, and the nozzle has 7.14
 // mm.
-TEST_F(Cell, TheTestPartIsCutInItsCellAndAClampInTheWayIsFound) {
+TEST_F(Cell, WheelCellIsCollisionFreeUntilClampIsMoved) {
     const std::string samples = tests::source_path("samples/");
     const auto run = [&](const std::string& cell, int status) {
         const Ended e = gsim_run({samples + "wheel.nc", "--cell", cell, "--json"});
@@ -177,7 +177,7 @@ TEST_F(Cell, TheTestPartIsCutInItsCellAndAClampInTheWayIsFound) {
     }
 }
 
-TEST_F(Cell, FaultsOfTheFileAreErrorsOfUsage) {
+TEST_F(Cell, ReportsFileErrorsAsUsageErrors) {
     const std::string part = write("part.nc", "G0 X1\n");
     const Ended e = gsim_run({part, "--cell", write("bad.toml", "[cell]\nname = 3\n")});
     EXPECT_EQ(e.status, 2);

@@ -14,7 +14,7 @@ namespace {
 const std::string kSamples = tests::source_path("samples/");
 constexpr const char* kFull = "cannot write standard output: No space left on device\n";
 
-class WholeOutput : public Apps {
+class CompleteOutput : public Apps {
   protected:
     /// Runs a line of the shell, in which $G is gsim.
     Ended shell(const std::string& line) const {
@@ -28,7 +28,7 @@ class WholeOutput : public Apps {
     const std::string wrong_ = write("wrong.nc", "G0 X5000\n");
 };
 
-TEST_F(WholeOutput, AFullDiskIsToldByEachProgram) {
+TEST_F(CompleteOutput, EachProgramReportsFullDisk) {
     const std::string long_data = [] {
         std::string text = "NCFILE\nVARIABLE\n";
         for (int i = 500; i < 1000; ++i) text += fmt::format("{} {}.25\n", i, i);
@@ -72,19 +72,19 @@ TEST_F(WholeOutput, AFullDiskIsToldByEachProgram) {
     }
 }
 
-TEST_F(WholeOutput, AnErrorKeepsItsStatus) {
+TEST_F(CompleteOutput, KeepsErrorStatusIfReportIsLost) {
     const Ended ended = shell("$G run --json wrong.nc >/dev/full");
     EXPECT_EQ(ended.status, 1);
     EXPECT_EQ(ended.err, kFull);
     EXPECT_EQ(shell("$G check wrong.nc >/dev/full").status, 1);
 }
 
-TEST_F(WholeOutput, FilesAreWrittenThoughTheReportIsLost) {
+TEST_F(CompleteOutput, WritesFilesIfReportIsLost) {
     EXPECT_EQ(shell("$G run --json part.nc --moves m.jsonl >/dev/full").status, 2);
     EXPECT_TRUE(contains(read("m.jsonl"), "\"n\":2"));
 }
 
-TEST_F(WholeOutput, AFileOnAFullDiskIsToldByName) {
+TEST_F(CompleteOutput, ReportsNameOfFileOnFullDisk) {
     std::vector<std::string> options = output_options();
     options.emplace_back("--sarif");
     for (const std::string& option : options) {
@@ -100,7 +100,7 @@ TEST_F(WholeOutput, AFileOnAFullDiskIsToldByName) {
     }
 }
 
-TEST_F(WholeOutput, AFileThatOutgrowsTheLimitIsToldAndNotThere) {
+TEST_F(CompleteOutput, ReportsAndRemovesFileAboveSizeLimit) {
 #ifdef GSIM_COUNTS_COVERAGE
     GTEST_SKIP() << "the counts of the program are files, too";
 #endif
@@ -115,7 +115,7 @@ TEST_F(WholeOutput, AFileThatOutgrowsTheLimitIsToldAndNotThere) {
     EXPECT_EQ(files(), 2U) << "moves neither: the files of a run belong together";
 }
 
-TEST_F(WholeOutput, APictureThatIsNotDrawnIsToldAndNotThere) {
+TEST_F(CompleteOutput, ReportsPictureNotDrawnByGnuplot) {
     write("bin/gnuplot", "#!/bin/sh\nexit 0\n");
     const Ended ended =
         shell("chmod +x bin/gnuplot; PATH=$PWD/bin:$PATH; $G run --quiet --plot p.svg part.nc");
@@ -124,7 +124,7 @@ TEST_F(WholeOutput, APictureThatIsNotDrawnIsToldAndNotThere) {
     EXPECT_FALSE(exists("p.svg"));
 }
 
-TEST_F(WholeOutput, StandardOutputThatIsClosedIsNoFileOfTheRun) {
+TEST_F(CompleteOutput, KeepsReportOutOfFilesIfStdoutIsClosed) {
     const Ended ended = shell("$G run --json part.nc --moves m.jsonl >&-");
     EXPECT_EQ(ended.status, 2);
     EXPECT_EQ(ended.err, "cannot write standard output: Bad file descriptor\n");
@@ -133,7 +133,7 @@ TEST_F(WholeOutput, StandardOutputThatIsClosedIsNoFileOfTheRun) {
     EXPECT_EQ(shell("$G run --quiet part.nc >&-").status, 0) << "nothing to print";
 }
 
-TEST_F(WholeOutput, StandardErrorThatIsFullIsNoMatter) {
+TEST_F(CompleteOutput, IgnoresFullStandardError) {
     EXPECT_EQ(shell("$G run part.nc --moves - 2>/dev/full").status, 0);
     EXPECT_EQ(shell("$G run nowhere.nc 2>/dev/full").status, 2);
     EXPECT_EQ(shell("$G run wrong.nc 2>&-").status, 1);
@@ -141,7 +141,7 @@ TEST_F(WholeOutput, StandardErrorThatIsFullIsNoMatter) {
 }
 
 // The output is more than a pipe holds, to a reader that does not read.
-TEST_F(WholeOutput, APipeWithoutAReader) {
+TEST_F(CompleteOutput, EndsAtBrokenPipeAndLeavesNoFiles) {
     const std::string run = "$G run --quiet --step 0.0001 --trajectory - --moves m.jsonl part.nc";
     const Ended killed = shell("{ " + run + "; echo $? >status; } | true");
     EXPECT_EQ(read("status"), "141\n") << "by the signal, as other programs";

@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Confined : public Apps {
+class Confinement : public Apps {
   protected:
-    Confined() {
+    Confinement() {
         fs::create_directory(folder_ / "here");
         fs::create_directory(folder_ / "out");
         fs::create_directory(folder_ / "elsewhere");
@@ -69,7 +69,7 @@ class Confined : public Apps {
 #define GSIM_SKIP_WITH_SANITIZER
 #endif
 
-TEST_F(Confined, AHoleInLuaReachesNoOtherFile) {
+TEST_F(Confinement, BlocksOtherFilesForHoleInLua) {
     GSIM_SKIP_WITH_SANITIZER;
     const std::string names = fmt::format("r:{} w:{} r:/etc/passwd r:{} w:{}", path("elsewhere/secret"),
                                           path("elsewhere/new"), path("here/part.nc"), path("here/part.nc"));
@@ -93,7 +93,7 @@ TEST_F(Confined, AHoleInLuaReachesNoOtherFile) {
 }
 
 /// The module may access anything, in its own process.
-TEST_F(Confined, SoItIsWithAControllerModule) {
+TEST_F(Confinement, AppliesWithModuleInSeparateProcess) {
     GSIM_SKIP_WITH_SANITIZER;
     const std::string names = "r:" + path("elsewhere/secret");
     const Ended standalone = escape(names, {"here/part.nc"});
@@ -107,7 +107,7 @@ TEST_F(Confined, SoItIsWithAControllerModule) {
     EXPECT_TRUE(contains(within.err, names + ": reached")) << within.err;
 }
 
-TEST_F(Confined, SoDoHolesInTheOtherReaders) {
+TEST_F(Confinement, BlocksOtherFilesForHolesInReaders) {
     GSIM_SKIP_WITH_SANITIZER;
     write(
         "here/part.svg",
@@ -127,7 +127,7 @@ TEST_F(Confined, SoDoHolesInTheOtherReaders) {
     EXPECT_TRUE(exists("out/p.nc"));
 }
 
-TEST_F(Confined, ACellMayNameWhatLiesAnywhere) {
+TEST_F(Confinement, AllowsCellFilesInAnyFolder) {
     GSIM_SKIP_WITH_SANITIZER;
     write("elsewhere/block.stl",
           "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
@@ -140,7 +140,7 @@ TEST_F(Confined, ACellMayNameWhatLiesAnywhere) {
     expect_confined("part.nc", {"check", "--cell", "here/cell.toml", "here/part.nc", "here/second.nc"});
 }
 
-TEST_F(Confined, ProgramsThatAreCalledAndAllOutputsAreFound) {
+TEST_F(Confinement, AllowsCalledProgramsAndAllOutputs) {
     std::vector<std::string> options = output_options();
     options.insert(options.end(), {"--sarif", "--variables", "--save-machine-data"});
     std::vector<std::string> command = {"here/part.nc"};
@@ -152,7 +152,7 @@ TEST_F(Confined, ProgramsThatAreCalledAndAllOutputsAreFound) {
     EXPECT_TRUE(contains(read("out/report"), "O0007.nc"));
 }
 
-TEST_F(Confined, SettingsMayNameTablesAnywhereAndTheDataGoBesideTheMachine) {
+TEST_F(Confinement, AllowsImportOfToolTableInAnyFolder) {
     write("elsewhere/mill.tbl", "T1 P1 Z10 D5\n");
     std::string ini =
         "[TRAJ]\nCOORDINATES = X Y Z\nLINEAR_UNITS = mm\n[KINS]\nJOINTS = 3\n"
@@ -171,7 +171,7 @@ TEST_F(Confined, SettingsMayNameTablesAnywhereAndTheDataGoBesideTheMachine) {
     EXPECT_TRUE(contains(read("out/mill.txt"), "TOOL")) << read("out/mill.txt");
 }
 
-TEST_F(Confined, DevicesAndLinksAreWritten) {
+TEST_F(Confinement, WritesDevicesAndSymbolicLinks) {
     fs::create_symlink("../elsewhere/target.json", folder_ / "out" / "link.json");
     write("elsewhere/target.json", "old");
     EXPECT_EQ(gsim_run({"--moves", "/dev/null", "--report", "out/link.json", "here/part.nc"}).status, 0);

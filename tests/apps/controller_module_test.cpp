@@ -32,7 +32,7 @@ class ControllerModule : public Apps {
     }
 };
 
-TEST_F(ControllerModule, OurOwnPlannerTakesTheTimeThatItTakesInProcess) {
+TEST_F(ControllerModule, DefaultModuleMatchesBuiltInPlanner) {
     const std::string part = write("part.nc", kPart);
     const json built_in = text::parse_json<json>(gsim_run({part, "--json"}).out);
     const Ended e = gsim_run({part, "--json", "--explain", "--rcs", tests::default_module_path()});
@@ -48,7 +48,7 @@ TEST_F(ControllerModule, OurOwnPlannerTakesTheTimeThatItTakesInProcess) {
 }
 
 // The module controls the TCP if it offers that. A module without TCP control is not moved as if it had it.
-TEST_F(ControllerModule, ItLeadsTheTip) {
+TEST_F(ControllerModule, UsesTcpControlIfModuleOffersIt) {
     const std::string part = write("tip.nc",
                                    "T1\nG0 X300 Y300 Z200\nG43.4 H1\nG1 X400 B10 C20 F2000\n"
                                    "G2 X500 I50 B-20 C10\nG49\nM2\n");
@@ -77,7 +77,7 @@ TEST_F(ControllerModule, ItLeadsTheTip) {
     EXPECT_EQ(without["alarm"]["message"], "this controller does not support TCP control");
 }
 
-TEST_F(ControllerModule, OneThatCannotBeUsedIsAnErrorOfUsage) {
+TEST_F(ControllerModule, ReportsUnusableModuleAsUsageError) {
     const std::string part = write("part.nc", kPart);
     const auto rejected = [&](const std::string& name, const std::string& reason) {
         const Ended e = gsim_run({part, "--rcs", test_module(name)});
@@ -92,7 +92,7 @@ TEST_F(ControllerModule, OneThatCannotBeUsedIsAnErrorOfUsage) {
     rejected("there_is_none", "there_is_none.so");
 }
 
-TEST_F(ControllerModule, OneThatAnswersGarbageEndsTheRunWithAnAlarm) {
+TEST_F(ControllerModule, RaisesAlarmOnInvalidResponse) {
     const Ended e =
         gsim_run({write("part.nc", "G1 X10 F600\nM2\n"), "--quiet", "--rcs", test_module("nan_answer")});
     EXPECT_EQ(e.status, 1);
@@ -101,7 +101,7 @@ TEST_F(ControllerModule, OneThatAnswersGarbageEndsTheRunWithAnAlarm) {
         EXPECT_TRUE(contains(e.err, part)) << part << '\n' << e.err;
 }
 
-TEST_F(ControllerModule, WithoutTheProgramThatItRunsInItIsRefusedButMayRunInThisOne) {
+TEST_F(ControllerModule, RejectsMissingHostButRunsInProcess) {
     const std::string part = write("part.nc", kPart);
     const std::string standalone = folder_ / "gsim";
     std::filesystem::copy_file(std::filesystem::canonical(tests::program_path("gsim")), standalone);
@@ -139,7 +139,7 @@ constexpr const char* kMillByPoses =
     "lua:F(3000)\nMoveLinear{x=100,y=50,z=200,roll=0,pitch=0,yaw=0}\n"
     "MoveLinear{x=200,y=80,z=220,roll=0,pitch=20,yaw=0}\n";
 
-class TurningTools : public ControllerModule, public testing::WithParamInterface<Case> {
+class RotaryMachines : public ControllerModule, public testing::WithParamInterface<Case> {
   protected:
     std::string program() const {
         const std::string text = GetParam().program;
@@ -187,7 +187,7 @@ class TurningTools : public ControllerModule, public testing::WithParamInterface
     static constexpr double kStep_s = 0.001;
 };
 
-TEST_P(TurningTools, GoWhereOurOwnPlannerTakesThem) {
+TEST_P(RotaryMachines, ModuleMatchesBuiltInPlanner) {
     const std::string part = program();
     const std::vector<std::string> usual{part, "--machine",
                                          sample(std::string("machines/") + GetParam().machine), "--json"};
@@ -208,7 +208,7 @@ TEST_P(TurningTools, GoWhereOurOwnPlannerTakesThem) {
     }
 }
 
-TEST_P(TurningTools, EveryByteIsThatOfTheModuleInThisProcess) {
+TEST_P(RotaryMachines, OutputsMatchModuleInProcess) {
     const std::string part = program();
     const std::vector<std::string> usual{
         part,     "--machine", sample(std::string("machines/") + GetParam().machine),
@@ -221,7 +221,7 @@ TEST_P(TurningTools, EveryByteIsThatOfTheModuleInThisProcess) {
     EXPECT_EQ(read("a.moves"), read("b.moves"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Machines, TurningTools,
+INSTANTIATE_TEST_SUITE_P(Machines, RotaryMachines,
                          testing::Values(Case{"wheel", "af5.toml", "wheel.nc"},
                                          Case{"dome", "mill-head-table.toml", "mill/dome.nc"},
                                          Case{"turntable", "mill-table-table.toml", "mill/turntable.nc"},
@@ -234,7 +234,7 @@ INSTANTIATE_TEST_SUITE_P(Machines, TurningTools,
                          [](const auto& param) { return std::string(param.param.name); });
 
 // The module has the machine's ranges, too, and says so in joints and rad.
-TEST_F(ControllerModule, ATargetPastARangeThatItRefusesIsToldOfTheAxis) {
+TEST_F(ControllerModule, ReportsAxisOfTargetBeyondLimit) {
     const std::string part = write("part.nc", "G1 A10 B-60 F3000\nM2\n");
     const json report =
         text::parse_json<json>(gsim_run({part, "--json", "--machine", sample("machines/arm6.toml"), "--rcs",
@@ -269,7 +269,7 @@ class HostileModule : public ControllerModule {
     std::string part_;
 };
 
-TEST_F(HostileModule, ACrashIsAnAlarmAndWhatWasMovedBeforeIsThere) {
+TEST_F(HostileModule, CrashRaisesAlarmAndKeepsEarlierMoves) {
     const Ended e = gsim_run(
         {part_, "--json", "--moves", "moves", "--trajectory", "way.csv", "--rcs", test_module("crashes")});
     EXPECT_EQ(e.status, 1);
@@ -284,14 +284,14 @@ TEST_F(HostileModule, ACrashIsAnAlarmAndWhatWasMovedBeforeIsThere) {
     EXPECT_TRUE(contains(read("way.csv"), "\n0.05,"));
 }
 
-TEST_F(HostileModule, WhatItPrintsIsNotInTheReport) {
+TEST_F(HostileModule, PrintedTextIsNotInReport) {
     const Ended e = gsim_run({part_, "--json", "--rcs", test_module("prints")});
     EXPECT_EQ(e.status, 0) << e.err;
     EXPECT_EQ(text::parse_json<json>(e.out)["status"], "completed");
     EXPECT_TRUE(contains(e.err, "rubbish"));
 }
 
-TEST_F(HostileModule, ARunThatIsInterruptedLeavesNoProcessBehind) {
+TEST_F(HostileModule, InterruptedRunLeavesNoProcess) {
     const std::string module = own_path("hangs");
     for (const int signal : {SIGINT, SIGKILL}) {
         const auto run = os::spawn(

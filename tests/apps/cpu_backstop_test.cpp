@@ -42,19 +42,19 @@ std::string long_drawing() {
     return dxf + "0\nENDSEC\n0\nEOF\n";
 }
 
-TEST_F(CpuLimitGuard, ADrawingThatTakesLong) {
+TEST_F(CpuLimitGuard, EndsLongDrawing) {
     write("long.dxf", long_drawing());
     expect_ended({"autopath", "long.dxf", "--speed", "400", "--kerf", "1", "--max-cpu-seconds", "0.02", "-o",
                   "out.json"},
                  "out.json");
 }
 
-TEST_F(CpuLimitGuard, AnEnvelopeThatTakesLong) {
+TEST_F(CpuLimitGuard, EndsLongEnvelope) {
     expect_ended({"run", "--machine", "arm6", "--envelope", "out.stl", "--max-cpu-seconds", "0.05"},
                  "out.stl");
 }
 
-TEST_F(CpuLimitGuard, WhatIsWithinTheTimeIsMade) {
+TEST_F(CpuLimitGuard, WritesOutputWithinTime) {
     write(
         "part.svg",
         R"(<svg width="20mm" height="20mm" viewBox="0 0 20 20"><rect x="2" y="2" width="9" height="9"/></svg>)");

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-class DiagnosticsOutside : public Apps {
+class DiagnosticsOutput : public Apps {
   protected:
     Ended gsim(const std::vector<std::string>& arguments, const std::string& input = {}) const {
         return run_program(tests::program_path("gsim"), arguments, folder_, input);
@@ -38,7 +38,7 @@ void expect_wrong_word(const json& found) {
     EXPECT_TRUE(contains(found["text"], "Q has no meaning")) << found;
 }
 
-TEST_F(DiagnosticsOutside, OfATranslation) {
+TEST_F(DiagnosticsOutput, ReportsWrongWordOfTranslation) {
     write("part.nc", kWrong);
     const Ended e = gcode2lua({"--json", "part.nc"});
     EXPECT_EQ(e.status, 1);
@@ -47,7 +47,7 @@ TEST_F(DiagnosticsOutside, OfATranslation) {
     EXPECT_EQ(gcode2lua({"--json", "--check", "part.nc"}).out, e.out);
 }
 
-TEST_F(DiagnosticsOutside, GoToStandardErrorBesideTheLua) {
+TEST_F(DiagnosticsOutput, UsesStandardErrorIfStdoutHasLua) {
     write("part.nc", "M98 P7\n");
     const Ended e = gcode2lua({"--json", "part.nc"});
     EXPECT_EQ(e.status, 0);
@@ -57,7 +57,7 @@ TEST_F(DiagnosticsOutside, GoToStandardErrorBesideTheLua) {
     EXPECT_EQ(found["severity"], "warning");
 }
 
-TEST_F(DiagnosticsOutside, AHintStandsByItself) {
+TEST_F(DiagnosticsOutput, SeparatesHintFromText) {
     write("part.nc", "G33.1 Z5 K1\n");
     const json found = only(gcode2lua({"--json", "part.nc"}).out);
     EXPECT_EQ(found["code"], "code-unknown");
@@ -65,7 +65,7 @@ TEST_F(DiagnosticsOutside, AHintStandsByItself) {
     EXPECT_FALSE(contains(found["text"], "--dialect")) << found;
 }
 
-TEST_F(DiagnosticsOutside, AReportHasThemWithTheLineOfASyntaxError) {
+TEST_F(DiagnosticsOutput, ReportHasLineOfSyntaxError) {
     write("part.nc", kWrong);
     const Ended e = gsim_run({"--json", "part.nc"});
     EXPECT_EQ(e.status, 1);
@@ -77,7 +77,7 @@ TEST_F(DiagnosticsOutside, AReportHasThemWithTheLineOfASyntaxError) {
     EXPECT_EQ(report["alarm"]["code"], "word-out-of-place");
 }
 
-TEST_F(DiagnosticsOutside, OfARun) {
+TEST_F(DiagnosticsOutput, ReportHasCodeOfAlarm) {
     write("part.nc", "G1 X1\n");
     const json report = text::try_parse_json<json>(gsim_run({"--json", "part.nc"}).out);
     ASSERT_EQ(report["diagnostics"].size(), 1U) << report;
@@ -86,7 +86,7 @@ TEST_F(DiagnosticsOutside, OfARun) {
     EXPECT_EQ(report["alarm"]["code"], "feed");
 }
 
-TEST_F(DiagnosticsOutside, AnAlarmTellsTheCallsThatLedToIt) {
+TEST_F(DiagnosticsOutput, AlarmHasNotesOfCalls) {
     write("part.nc", "O1\nM98 P2\nM30\nO2\n#100=1/0\nM99\n");
     const Ended e = gsim({"check", "--json", "part.nc"});
     const json document = text::try_parse_json<json>(e.out);
@@ -99,7 +99,7 @@ TEST_F(DiagnosticsOutside, AnAlarmTellsTheCallsThatLedToIt) {
     EXPECT_EQ(document["programs"][0]["status"], "alarm");
 }
 
-TEST_F(DiagnosticsOutside, ACheckOfSeveralProgramsIsOneDocument) {
+TEST_F(DiagnosticsOutput, CheckOfSeveralProgramsIsOneDocument) {
     write("part.nc", kWrong);
     write("good.nc", "G1 X100 F6000\nM2\n");
     const Ended e = gsim({"check", "--json", "part.nc", "good.nc", "missing.nc"});
@@ -116,7 +116,7 @@ TEST_F(DiagnosticsOutside, ACheckOfSeveralProgramsIsOneDocument) {
     EXPECT_TRUE(document["diagnostics"][1]["line"].is_null());
 }
 
-TEST_F(DiagnosticsOutside, WrongOptionsOfEachProgram) {
+TEST_F(DiagnosticsOutput, EachProgramReportsUnknownOption) {
     for (const char* command : {"run", "check", "translate", "write", "path", "data"}) {
         const Ended e = gsim({command, "--json", "--no-such-option"});
         EXPECT_EQ(e.status, 2) << command;
@@ -127,7 +127,7 @@ TEST_F(DiagnosticsOutside, WrongOptionsOfEachProgram) {
     }
 }
 
-TEST_F(DiagnosticsOutside, FilesThatAreNotThereOrWrong) {
+TEST_F(DiagnosticsOutput, NamesMissingOrInvalidFile) {
     write("x.nc", "G0 X1\n");
     write("wrong.toml", "name = \"m\"\nspeed = 5\n");
     json found = only(gsim({"run", "--json", "--machine", "wrong.toml", "x.nc"}).out);
@@ -147,7 +147,7 @@ TEST_F(DiagnosticsOutside, FilesThatAreNotThereOrWrong) {
     EXPECT_EQ(found["line"], 1);
 }
 
-TEST_F(DiagnosticsOutside, AsSarif) {
+TEST_F(DiagnosticsOutput, WritesSarifWithSourceLocation) {
     write("a part.nc", kWrong);
     const Ended e = gcode2lua({"--sarif", "found.sarif", "--check", "a part.nc"});
     EXPECT_EQ(e.status, 1);
@@ -168,7 +168,7 @@ TEST_F(DiagnosticsOutside, AsSarif) {
     EXPECT_EQ(location["region"]["endColumn"], 9);
 }
 
-TEST_F(DiagnosticsOutside, SarifOfARunIsOfTheRun) {
+TEST_F(DiagnosticsOutput, WritesSarifOfRun) {
     write("part.nc", "G1 X1\n");
     const Ended e = gsim_run({"--sarif", "-", "part.nc"});
     EXPECT_EQ(e.status, 1);
@@ -177,7 +177,7 @@ TEST_F(DiagnosticsOutside, SarifOfARunIsOfTheRun) {
     EXPECT_EQ(sarif["runs"][0]["results"][0]["ruleId"], "feed") << e.out;
 }
 
-TEST_F(DiagnosticsOutside, SarifThatCannotBeWrittenIsTold) {
+TEST_F(DiagnosticsOutput, ReportsUnwritableSarif) {
     write("part.nc", "G0 X1\n");
     const Ended e = gcode2lua({"--check", "--sarif", "none/found.sarif", "part.nc"});
     EXPECT_EQ(e.status, 2);

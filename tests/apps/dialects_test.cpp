@@ -23,7 +23,7 @@ class Dialects : public Apps {
 constexpr const char* kSquare =
     "#<side> = 10\no100 repeat [2]\ng91 g1 x#<side> f600\no100 endrepeat\n(debug, at #<_x>)\nm2\n";
 
-TEST_F(Dialects, Rs274ngcRunsDirectlyAndByItsLua) {
+TEST_F(Dialects, Rs274ngcRunMatchesRunOfItsLua) {
     write("part.ngc", kSquare);
     const json direct = report({"--dialect", "rs274ngc", "part.ngc"});
     EXPECT_NEAR(direct["length"]["feed_mm"].get<double>(), 20, 1e-9);
@@ -34,7 +34,7 @@ TEST_F(Dialects, Rs274ngcRunsDirectlyAndByItsLua) {
     EXPECT_EQ(by_lua["events"][0]["line"], 5);
 }
 
-TEST_F(Dialects, AnUnknownOneIsAUsageError) {
+TEST_F(Dialects, ReportsUnknownDialectAsUsageError) {
     EXPECT_EQ(gsim_run({"--dialect", "iso", write("part.nc", "G0 X1\n")}).status, 2);
     EXPECT_EQ(gcode2lua({"--unknown", "ignore", "part.nc"}).status, 2);
     const Ended studio =
@@ -43,13 +43,13 @@ TEST_F(Dialects, AnUnknownOneIsAUsageError) {
     EXPECT_TRUE(contains(studio.err, "unknown dialect or controller 'iso'")) << studio.err;
 }
 
-TEST_F(Dialects, ACodeOfTheOtherOneIsNamed) {
+TEST_F(Dialects, NamesOtherDialectOfUnknownCode) {
     const Ended e = gcode2lua({write("part.nc", "G38.2 Z-5 F100\n")});
     EXPECT_EQ(e.status, 1);
     EXPECT_TRUE(contains(e.err, "RS274/NGC supports it")) << e.err;
 }
 
-TEST_F(Dialects, UnknownCodesAreLeftOutOnRequestAndCounted) {
+TEST_F(Dialects, OmitsAndCountsUnknownCodesOnRequest) {
     write("part.nc", "G0 X1\nM77\nM77 P3\nG234 X5\nX2\nM30\n");
     EXPECT_EQ(gcode2lua({"part.nc"}).status, 1);
     const Ended e = gcode2lua({"--unknown", "warn", "part.nc"});
@@ -60,7 +60,7 @@ TEST_F(Dialects, UnknownCodesAreLeftOutOnRequestAndCounted) {
     EXPECT_TRUE(contains(e.out, "move{x=2}")) << e.out;
 }
 
-TEST_F(Dialects, SubroutinesOfALongProgramThatRunsInPieces) {
+TEST_F(Dialects, FindsSubroutinesOfLongProgram) {
     std::string part = "g21\no<far> call [3]\no<near> sub\ng0 x[#1 + 0.5]\no<near> endsub\n";
     for (int i = 0; i < 60000; ++i) part += "g1 y1 f1000\n";
     part += "o<near> call [8]\nm2\no<far> sub\no<near> call [#1]\ng0 z[1/0]\no<far> endsub\n";
@@ -70,7 +70,7 @@ TEST_F(Dialects, SubroutinesOfALongProgramThatRunsInPieces) {
     EXPECT_NEAR(r["bounds"]["X"]["max"].get<double>(), 3.5, 1e-9) << "a subroutine called out of another";
 }
 
-TEST_F(Dialects, ASubroutineIsFoundBesideTheProgram) {
+TEST_F(Dialects, FindsSubroutineFileNextToProgram) {
     write("part.ngc", "o<hole> call [7]\n(debug, #<_value>)\nm2\n");
     write("hole.ngc", "o<hole> sub\ng0 x#1\no<hole> endsub [#1 * 2]\nm2\n");
     const json r = report({"--dialect", "rs274ngc", "part.ngc"});
@@ -78,7 +78,7 @@ TEST_F(Dialects, ASubroutineIsFoundBesideTheProgram) {
     EXPECT_EQ(r["events"][0]["detail"], " 14.000000");
 }
 
-TEST_F(Dialects, AnAlarmNamesTheChainOfCalls) {
+TEST_F(Dialects, AlarmNamesCallChain) {
     const json r = report({write("part.nc", "O1\nM98 P2\nM2\nO2\nM98 P3\nM99\nO3\nG0 X[1/0]\nM99\n")}, 1);
     EXPECT_EQ(r["alarm"]["line"], 8);
     ASSERT_EQ(r["alarm"]["calls"].size(), 2U);
@@ -87,14 +87,14 @@ TEST_F(Dialects, AnAlarmNamesTheChainOfCalls) {
     EXPECT_TRUE(contains(gsim_run({"part.nc"}).out, "O3 at part.nc:5"));
 }
 
-TEST_F(Dialects, TheChainIsWholeBehindACallThatHasEnded) {
+TEST_F(Dialects, CallChainOmitsEndedCall) {
     write("part.ngc", "o1 sub\no1 endsub\no2 sub\no1 call\n#1=[1/0]\no2 endsub\no2 call\nm2\n");
     const json r = report({"--dialect", "rs274ngc", "part.ngc"}, 1);
     ASSERT_EQ(r["alarm"]["calls"].size(), 1U);
     EXPECT_EQ(r["alarm"]["calls"][0], (json{{"program", "o2"}, {"file", "part.ngc"}, {"line", 7}}));
 }
 
-TEST_F(Dialects, ASetupScriptDefinesUserCodes) {
+TEST_F(Dialects, SetupScriptDefinesUserCodes) {
     write("part.nc", "M101 P2\nM30\n");
     EXPECT_EQ(gsim_run({"part.nc"}).status, 1);
     write("setup.lua", "local _ENV = require \"gsim\"\nM[101] = function(words) G4{p=words.p} end\n");
@@ -103,7 +103,7 @@ TEST_F(Dialects, ASetupScriptDefinesUserCodes) {
     EXPECT_EQ(gsim_run({"--setup", "none.lua", "part.nc"}).status, 2);
 }
 
-TEST_F(Dialects, PermanentVariablesAreKeptInAFile) {
+TEST_F(Dialects, StoresPermanentVariablesInFile) {
     write("part.nc", "#500=#500+1\n#1=5\nM30\n");
     EXPECT_EQ(gsim_run({"--variables", "kept.var", "part.nc"}).status, 0);
     EXPECT_EQ(read("kept.var"), "500\t1\n");

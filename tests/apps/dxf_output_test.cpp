@@ -81,7 +81,7 @@ double move_length(const Drawing& drawing) {
 }
 
 // Each move is an entity, in order, from the end of the move before to its own end.
-TEST_F(DxfOutput, HasAnEntityForEachMoveWithItsEnds) {
+TEST_F(DxfOutput, HasEntityForEachMoveWithItsEnds) {
     const Ended ended = draw(
         "G21 G90 F3000\nG0 X10 Y5\nG1 X40 Y5\nX40 Y25\nG3 X30 Y35 I-10\nG2 X10 Y15 I0 J-20\nG1 X10 Y5\n"
         "G91 G1 X5\nX2.5 Y-1\nM30\n");
@@ -114,7 +114,7 @@ TEST_F(DxfOutput, HasAnEntityForEachMoveWithItsEnds) {
     }
 }
 
-TEST_F(DxfOutput, LengthsAreThoseOfTheReport) {
+TEST_F(DxfOutput, LengthsMatchReport) {
     ASSERT_EQ(
         draw("G21 G90 F3000\nG0 X10 Y5\nG1 X40\nG3 X30 Y15 I-10\nG2 I5\nG2 X30 Y15 I5 P3\nG0 X0 Y0\nM30\n",
              {"--report", "r.json", "--dialect", "rs274ngc"})
@@ -127,7 +127,7 @@ TEST_F(DxfOutput, LengthsAreThoseOfTheReport) {
     EXPECT_EQ(kinds_on("FEED"), "LINE ARC CIRCLE CIRCLE ") << "three turns on one circle are drawn once";
 }
 
-TEST_F(DxfOutput, LayersTellTheProcessAndTheHeightApart) {
+TEST_F(DxfOutput, LayersSeparateProcessAndHeight) {
     ASSERT_EQ(
         gsim_run(
             {write("jet.nc", "F3000\nG0 X10\nM8\nG1 X20\nG3 X30 Y10 J10 I0\nM9\nG1 X40\nG1 Z5\nG0 Z0\nM30\n"),
@@ -144,7 +144,7 @@ TEST_F(DxfOutput, LayersTellTheProcessAndTheHeightApart) {
 }
 
 // A helix about (10, 0), and an arc about X 30 Z -6 in an upright plane.
-TEST_F(DxfOutput, OtherCurvesAreLinesWithinTheTolerance) {
+TEST_F(DxfOutput, ApproximatesOtherCurvesWithinTolerance) {
     ASSERT_EQ(draw("G21 G90 F3000\nG2 X20 Y0 Z-6 I10 J0\nG18\nG3 X40 Z-6 I10 K0\nM30\n").status, 0);
     EXPECT_EQ(kinds_on("FEED_Z"), "POLYLINE POLYLINE ");
     const std::vector<Line> lines = polylines();
@@ -169,7 +169,7 @@ TEST_F(DxfOutput, OtherCurvesAreLinesWithinTheTolerance) {
 
 // The drawing has the path of the TCP on the part, not that of the axes: with a table that turns, a straight
 // move is a curve.
-TEST_F(DxfOutput, ATableThatTurnsMakesCurvesOfLines) {
+TEST_F(DxfOutput, DrawsCurveForLineOnTurningTable) {
     const std::string machine = tests::source_path("samples/machines/mill-head-table.toml");
     ASSERT_EQ(gsim_run({write("turn.nc", "G21 G90 F3000\nG1 X10\nC90\nM30\n"), "--machine", machine,
                         "--quiet", "--dxf", "p.dxf"})
@@ -178,17 +178,17 @@ TEST_F(DxfOutput, ATableThatTurnsMakesCurvesOfLines) {
     EXPECT_NE(kinds_on("FEED").find("POLYLINE"), std::string::npos) << read("p.dxf").substr(400);
 }
 
-TEST_F(DxfOutput, ARunOfNoMoveIsAnEmptyDrawing) {
+TEST_F(DxfOutput, IsEmptyWithoutMoves) {
     ASSERT_EQ(draw("G4 P1\nM30\n").status, 0);
     EXPECT_TRUE(on({}).entities.empty());
 }
 
-TEST_F(DxfOutput, AnAlarmLeavesWhatWasDrivenUpToIt) {
+TEST_F(DxfOutput, HasMovesBeforeAlarm) {
     EXPECT_EQ(draw("G21 G90 F3000\nG1 X10\n#3000=1 (STOP)\nG1 X20\nM30\n").status, 1);
     EXPECT_EQ(on({"FEED"}).entities.size(), 1U);
 }
 
-TEST_F(DxfOutput, EachRobotHasItsOwn) {
+TEST_F(DxfOutput, WritesDrawingForEachRobot) {
     write("two.toml", "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\n");
     write("two.lua",
           "process('l', function() local _ENV = robot 'left' F(600) G1{x=10} end)\n"

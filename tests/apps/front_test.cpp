@@ -9,7 +9,7 @@
 namespace gsim::apps::front_test {
 namespace {
 
-class Front : public Apps {
+class FrontEnd : public Apps {
   protected:
     Ended gsim(const std::vector<std::string>& arguments) const {
         return run_program(tests::program_path("gsim"), arguments, folder_);
@@ -21,7 +21,7 @@ class Front : public Apps {
 constexpr const char* kPrograms[] = {"gsim-run",   "gsim-check", "gcode2lua",  "autopath",
                                      "path2gcode", "gsim-data",  "gsim-studio"};
 
-TEST_F(Front, ACommandIsTheProgramByItsOwnName) {
+TEST_F(FrontEnd, CommandMatchesStandaloneProgram) {
     const Ended by_command = gsim({"run", part_, "--json"});
     const Ended by_name = gsim_run({part_, "--json"});
     EXPECT_EQ(by_command.status, 0);
@@ -30,7 +30,7 @@ TEST_F(Front, ACommandIsTheProgramByItsOwnName) {
     EXPECT_EQ(gsim({"translate", part_}).out, gcode2lua({part_}).out);
 }
 
-TEST_F(Front, WhatIsNotKnownIsToldWithTheNearestName) {
+TEST_F(FrontEnd, SuggestsNearestNameForUnknownWord) {
     const Ended command = gsim({"rum", part_});
     EXPECT_EQ(command.status, 2);
     EXPECT_EQ(command.out, "");
@@ -47,7 +47,7 @@ TEST_F(Front, WhatIsNotKnownIsToldWithTheNearestName) {
     EXPECT_EQ(gsim({}).status, 2);
 }
 
-TEST_F(Front, ARenamedOptionWorksUnderItsOldNameWithAWarning) {
+TEST_F(FrontEnd, AcceptsOldOptionNameWithWarning) {
     const std::string path =
         write("p.json", R"({"format": 1, "paths": [{"name": "p", "targets": [{"point_mm": [1, 2, 3]}]}]})");
     const auto old_name = gsim({"path2gcode", path, "--go-on", "--post", "grbl"});
@@ -59,12 +59,12 @@ TEST_F(Front, ARenamedOptionWorksUnderItsOldNameWithAWarning) {
     EXPECT_FALSE(contains(new_name.err, "warning")) << new_name.err;
 }
 
-TEST_F(Front, AnOptionOfManyValuesLeavesTheNextWordAlone) {
+TEST_F(FrontEnd, OptionWithManyValuesDoesNotConsumeProgram) {
     const Ended ended = gsim({"run", "--envelope", "reach.csv", part_});
     EXPECT_TRUE(contains(ended.err, "remove part.nc")) << ended.err;
 }
 
-TEST_F(Front, EveryProgramTellsOfItself) {
+TEST_F(FrontEnd, EachProgramHasHelpManualAndVersion) {
     for (const std::string program : kPrograms) {
         const Ended help = gsim({"help", program});
         EXPECT_EQ(help.status, 0) << program;
@@ -82,7 +82,7 @@ TEST_F(Front, EveryProgramTellsOfItself) {
     }
 }
 
-TEST_F(Front, HelpStandsInGroupsByTask) {
+TEST_F(FrontEnd, GroupsHelpByTask) {
     const std::string help = gsim({"run", "--help"}).out;
     const std::size_t machine = help.find("\nMachine and language:\n");
     const std::size_t results = help.find("\nResults:\n");
@@ -93,7 +93,7 @@ TEST_F(Front, HelpStandsInGroupsByTask) {
     EXPECT_TRUE(contains(help, "time between samples (1e-06 to 1000000) [0.01]"));
 }
 
-TEST_F(Front, CompletionsAreForThreeShells) {
+TEST_F(FrontEnd, WritesCompletionsForThreeShells) {
     for (const std::string shell : {"bash", "zsh", "fish"}) {
         const Ended script = gsim({"completion", shell});
         EXPECT_EQ(script.status, 0);
@@ -104,7 +104,7 @@ TEST_F(Front, CompletionsAreForThreeShells) {
     EXPECT_EQ(gsim({"completion", "tcsh"}).status, 2);
 }
 
-TEST_F(Front, ACheckLooksAtEachProgram) {
+TEST_F(FrontEnd, CheckReportsEachProgram) {
     const Ended is_clean = gsim({"check", part_});
     EXPECT_EQ(is_clean.status, 0);
     EXPECT_TRUE(is_clean.out.starts_with("part.nc: no errors, ")) << is_clean.out;
@@ -119,7 +119,7 @@ TEST_F(Front, ACheckLooksAtEachProgram) {
     EXPECT_EQ(gsim({"check"}).status, 2);
 }
 
-TEST_F(Front, ACheckTellsCollisionsWithBlockPairAndTime) {
+TEST_F(FrontEnd, CheckReportsCollisionWithLineAndPair) {
     const std::string cell =
         write("cell.toml",
               "[cell]\nname = \"a post\"\nclearance_mm = 1.0\n"

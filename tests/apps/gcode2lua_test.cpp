@@ -23,12 +23,12 @@ TEST_F(Gcode2lua, ReadsStandardInput) {
     EXPECT_TRUE(contains(dash.out, "from stdin")) << dash.out;
 }
 
-TEST_F(Gcode2lua, EachTimeTheSame) {
+TEST_F(Gcode2lua, ProducesSameOutputEachTime) {
     write("part.nc", "G0 X1\n#1=2\nM98 P5\nO5\nM99\n");
     EXPECT_EQ(gcode2lua({"part.nc"}).out, gcode2lua({"part.nc"}).out);
 }
 
-TEST_F(Gcode2lua, ErrorsGiveStatusOneAndNoLua) {
+TEST_F(Gcode2lua, ReturnsStatusOneAndNoLuaOnError) {
     const Ended e = gcode2lua({write("part.nc", "G0 X1\nG0 X1 X2\nG999\n")});
     EXPECT_EQ(e.status, 1);
     EXPECT_EQ(e.out, "");
@@ -37,7 +37,7 @@ TEST_F(Gcode2lua, ErrorsGiveStatusOneAndNoLua) {
     EXPECT_TRUE(contains(e.err, "  G0 X1 X2\n")) << e.err;
 }
 
-TEST_F(Gcode2lua, AFailedRunLeavesTheOldFileWhole) {
+TEST_F(Gcode2lua, FailedRunKeepsOldFile) {
     write("out.lua", "old");
     EXPECT_EQ(gcode2lua({write("bad.nc", "G999\n"), "-o", "out.lua"}).status, 1);
     EXPECT_EQ(read("out.lua"), "old");
@@ -55,14 +55,14 @@ TEST_F(Gcode2lua, CheckWritesNothing) {
     EXPECT_EQ(gcode2lua({write("bad.nc", "G999\n"), "--check"}).status, 1);
 }
 
-TEST_F(Gcode2lua, AnnotateShowsTheSource) {
+TEST_F(Gcode2lua, AnnotateShowsSource) {
     const std::string part = write("part.nc", "N10 G0 X1 (go)\n");
     EXPECT_FALSE(contains(gcode2lua({part}).out, "N10 G0 X1 (go)"));
     const Ended e = gcode2lua({part, "--annotate"});
     EXPECT_TRUE(contains(e.out, "N10 G0 X1 (go)")) << e.out;
 }
 
-TEST_F(Gcode2lua, StopsAfterSoManyErrors) {
+TEST_F(Gcode2lua, StopsAfterMaxErrors) {
     std::string program;
     for (int i = 0; i < 50; ++i) program += "G999\n";
     const Ended e = gcode2lua({write("part.nc", program), "--max-errors", "3"});
@@ -71,7 +71,7 @@ TEST_F(Gcode2lua, StopsAfterSoManyErrors) {
     EXPECT_FALSE(contains(e.err, "part.nc:5:")) << e.err;
 }
 
-TEST_F(Gcode2lua, AliasesOfMachineData) {
+TEST_F(Gcode2lua, ReadsAliasesOfMachineData) {
     write("machine.txt", "NCFILE\nALIAS\nJETON M08\nENDFILE\n");
     const Ended e = gcode2lua({write("part.nc", "JETON\n"), "--machine-data", "machine.txt"});
     EXPECT_EQ(e.status, 0) << e.err;
@@ -79,7 +79,7 @@ TEST_F(Gcode2lua, AliasesOfMachineData) {
     EXPECT_EQ(gcode2lua({"part.nc"}).status, 1);
 }
 
-TEST_F(Gcode2lua, FilesThatCannotBeReadOrWritten) {
+TEST_F(Gcode2lua, ReportsUnreadableAndUnwritableFiles) {
     const std::string part = write("part.nc", "G0 X1\n");
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"missing.nc"},
@@ -95,7 +95,7 @@ TEST_F(Gcode2lua, FilesThatCannotBeReadOrWritten) {
     }
 }
 
-TEST_F(Gcode2lua, OptionsThatAreWrong) {
+TEST_F(Gcode2lua, RejectsInvalidOptions) {
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"--nonsense"},
                                                {"--max-errors", "0"},
@@ -110,7 +110,7 @@ TEST_F(Gcode2lua, OptionsThatAreWrong) {
     }
 }
 
-TEST_F(Gcode2lua, HelpAndVersion) {
+TEST_F(Gcode2lua, PrintsHelpAndVersion) {
     const Ended help = gcode2lua({"--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_TRUE(contains(help.out, "--annotate"));
@@ -119,7 +119,7 @@ TEST_F(Gcode2lua, HelpAndVersion) {
     EXPECT_TRUE(version.out.starts_with("gcode2lua ")) << version.out;
 }
 
-TEST_F(Gcode2lua, OddInputsEnd) {
+TEST_F(Gcode2lua, EndsNormallyOnOddInput) {
     for (const std::string& input :
          {std::string(), std::string("%"), std::string("\0\0\0", 3), std::string("\xff\xfe\x00G0", 5),
           std::string(100'000, '['), std::string(100'000, 'X'), std::string(200'000, '\n'), std::string("O1"),

@@ -57,7 +57,7 @@ TEST_F(GsimData, ListsInColumns) {
     EXPECT_FALSE(contains(all, "FIXED"));
 }
 
-TEST_F(GsimData, Gets) {
+TEST_F(GsimData, GetsValues) {
     write("d.txt", kData);
     EXPECT_EQ(gsim_data({"d.txt", "get", "OFFSET", "54"}).out, "X 200.000\nY 1\nZ 2\nUNIT metric\n");
     EXPECT_EQ(gsim_data({"d.txt", "get", "alias", "JETON", "code"}).out, "M08\n");
@@ -78,7 +78,7 @@ TEST_F(GsimData, SetsOneLine) {
               changed("JET", "CUTTER  LENGTH_WEAR=.5"));
 }
 
-TEST_F(GsimData, Resets) {
+TEST_F(GsimData, ResetsEntriesAndSections) {
     EXPECT_EQ(after({"reset", "OFFSET", "54"}), changed("200.000 1 2", "0 0 0"));
     EXPECT_EQ(after({"reset", "ALIAS", "JetOn"}), changed("JetOn M08\r\n", ""));
     EXPECT_EQ(after({"reset-all"}),
@@ -87,7 +87,7 @@ TEST_F(GsimData, Resets) {
     EXPECT_EQ(after({"reset-all", "tool"}), changed("50 10", "0 0"));
 }
 
-TEST_F(GsimData, RefusesWithASentence) {
+TEST_F(GsimData, RejectsInvalidCommandWithMessage) {
     expect_refused({"set", "OFFSET", "54", "X=1e12"}, "d.txt: 1e12 must be between -1e9 and 1e9");
     expect_refused({"set", "OFFSET", "53", "X=1"},
                    "d.txt: '53' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
@@ -108,7 +108,7 @@ TEST_F(GsimData, RefusesWithASentence) {
     EXPECT_EQ(gsim_data({"--help"}).status, 0);
 }
 
-TEST_F(GsimData, CreatesAFileWhenAsked) {
+TEST_F(GsimData, CreatesFileOnRequest) {
     EXPECT_EQ(gsim_data({"n.txt", "set", "FIXED", "1", "X=1"}).status, 2);
     EXPECT_EQ(gsim_data({"n.txt", "set", "FIXED", "1", "X=1", "--create"}).status, 0);
     EXPECT_EQ(read("n.txt"), "NCFILE\nFIXED\n1  1  0  0\nENDFILE\n");
@@ -126,7 +126,7 @@ TEST_F(GsimData, ChecksAllLines) {
                                               << e.err;
 }
 
-TEST_F(GsimData, WarnsOfWhatIsSuspect) {
+TEST_F(GsimData, WarnsOfSuspiciousEntries) {
     write("d.txt",
           "NCFILE\nOFFSET\n54 0 3000 0\nALIAS\nJetOn M08\nTurn G777\nX M3\nWORKING\n1 -1 10 0 10\nSECURITY\n"
           "3 0 1 0 1 off\nENDFILE\n");
@@ -155,7 +155,7 @@ TEST_F(GsimData, ConvertsUnits) {
     EXPECT_EQ(gsim_data({"i.txt", "get", "OFFSET", "54", "X"}).out, "200\n");
 }
 
-TEST_F(GsimData, JsonAndBack) {
+TEST_F(GsimData, ConvertsToJsonAndBack) {
     const std::string sample = tests::source_path("samples/jet.txt");
     ASSERT_EQ(gsim_data({sample, "convert", "--json", "-o", "d.json", "--machine", machine()}).status, 0);
     const Ended e = gsim_data({"back.txt", "convert", "--from-json", "d.json", "--machine", machine()});
@@ -164,7 +164,7 @@ TEST_F(GsimData, JsonAndBack) {
     EXPECT_EQ(text::parse_json<json>(read("d.json"))["SECURITY"][1]["ZMAX"], 50.0);
 }
 
-TEST_F(GsimData, JsonThatIsNoMachineData) {
+TEST_F(GsimData, RejectsInvalidJson) {
     const auto error = [&](const std::string& text) {
         write("j.json", text);
         const Ended e = gsim_data({"back.txt", "convert", "--from-json", "j.json"});
@@ -189,7 +189,7 @@ TEST_F(GsimData, JsonThatIsNoMachineData) {
     EXPECT_EQ(error(std::string(100000, '[')), "gsim-data: j.json: byte 100001: this is not valid JSON\n");
 }
 
-TEST_F(GsimData, AFileThatCannotBeWrittenStaysWhole) {
+TEST_F(GsimData, KeepsFileIfOutputCannotBeWritten) {
     write("d.txt", kData);
     const Ended e = gsim_data({"d.txt", "convert", "--inch", "-o", "no/such/folder.txt"});
     EXPECT_EQ(e.status, 2);
@@ -199,7 +199,7 @@ TEST_F(GsimData, AFileThatCannotBeWrittenStaysWhole) {
     EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(GsimData, SavingKeepsLinksAndPermissions) {
+TEST_F(GsimData, KeepsLinksAndPermissionsOnSave) {
     write("d.txt", kData);
     std::filesystem::permissions(folder_ / "d.txt", std::filesystem::perms(0640));
     std::filesystem::create_symlink("d.txt", folder_ / "link");

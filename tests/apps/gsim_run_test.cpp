@@ -22,7 +22,7 @@ class GsimRun : public Apps {
     }
 };
 
-TEST_F(GsimRun, TellsAReportForPeople) {
+TEST_F(GsimRun, PrintsTextReport) {
     const Ended e = gsim_run({write("part.nc", "G1 X100 F6000\nM2\n")});
     EXPECT_EQ(e.status, 0);
     EXPECT_TRUE(contains(e.out, "part.nc")) << e.out;
@@ -31,7 +31,7 @@ TEST_F(GsimRun, TellsAReportForPeople) {
     EXPECT_EQ(gsim_run({"part.nc", "--quiet"}).out, "");
 }
 
-TEST_F(GsimRun, TheReportInJson) {
+TEST_F(GsimRun, PrintsJsonReport) {
     const json r = report({write("part.nc", "G1 X100 F6000\nM8\nG4 P1\nM2\n")});
     EXPECT_EQ(r["program"], "part.nc");
     EXPECT_EQ(r["status"], "completed");
@@ -46,7 +46,7 @@ TEST_F(GsimRun, TheReportInJson) {
 }
 
 // 100 mm at 100 mm/s, a dwell, and 10 mm on which full speed is not reached.
-TEST_F(GsimRun, ExplainsWhereTheTimeGoes) {
+TEST_F(GsimRun, ExplainsTimeByLimit) {
     const std::string part = write("part.nc", "G1 X100 F6000\nG4 P1\nX110\nM2\n");
     const json r = report({part, "--explain"});
     const double line_s = 1 + 100.0 / 490.33;
@@ -66,7 +66,7 @@ TEST_F(GsimRun, ExplainsWhereTheTimeGoes) {
     EXPECT_FALSE(report({part}).contains("lower_bound_s"));
 }
 
-TEST_F(GsimRun, AnAlarmIsStatusOneWithWhatCameBefore) {
+TEST_F(GsimRun, AlarmReturnsStatusOneAndEarlierMoves) {
     const json r = report({write("part.nc", "G0 X100\n\nG0 X5000\n"), "--stop-at-first"}, 1);
     EXPECT_EQ(r["status"], "alarm");
     EXPECT_EQ(r["alarm"]["line"], 3);
@@ -82,7 +82,7 @@ TEST_F(GsimRun, AnAlarmIsStatusOneWithWhatCameBefore) {
               "part.nc:3: axis X moves to 5000 mm, 3171.2 mm past its limit of 1828.8 mm\n");
 }
 
-TEST_F(GsimRun, AProgramWithErrorsIsNotRun) {
+TEST_F(GsimRun, DoesNotRunProgramWithErrors) {
     const Ended e = gsim_run({write("part.nc", "G0 X1\nG999\n")});
     EXPECT_EQ(e.status, 1);
     EXPECT_TRUE(contains(e.err, "part.nc:2:1: error: ")) << e.err;
@@ -91,7 +91,7 @@ TEST_F(GsimRun, AProgramWithErrorsIsNotRun) {
     EXPECT_EQ(r["moves"], 0);
 }
 
-TEST_F(GsimRun, Limits) {
+TEST_F(GsimRun, StopsAtTimeBlockStepAndMemoryLimits) {
     const std::string part = write("part.nc", "G0 X100\nX0\nM99\n");
     EXPECT_EQ(report({part, "--passes", "1000", "--max-time", "5"}, 1)["status"], "stopped");
     EXPECT_EQ(report({part, "--passes", "1000", "--max-blocks", "10"}, 1)["blocks"], 10);
@@ -103,7 +103,7 @@ TEST_F(GsimRun, Limits) {
     EXPECT_TRUE(contains(r["alarm"]["message"], "16 MB"));
 }
 
-TEST_F(GsimRun, PassesOfAProgramThatRunsForEver) {
+TEST_F(GsimRun, RunsRequestedPassesOfEndlessProgram) {
     const std::string part = write("part.nc", "G0 X100\nX0\nM99\n");
     EXPECT_TRUE(contains(gsim_run({part}).out,
                          "passes      1 of the main program, which jumps back to its start; --passes runs "
@@ -119,7 +119,7 @@ TEST_F(GsimRun, PassesOfAProgramThatRunsForEver) {
     EXPECT_NE(gsim_run({part, "--passes", "0"}).status, 0);
 }
 
-TEST_F(GsimRun, Switches) {
+TEST_F(GsimRun, AppliesBlockDeleteAndOptionalStop) {
     const std::string part = write("part.nc", "G0 X1\n/X2\nM1\n");
     EXPECT_EQ(report({part})["moves"], 2);
     EXPECT_EQ(report({part, "--block-delete"})["moves"], 1);
@@ -127,7 +127,7 @@ TEST_F(GsimRun, Switches) {
     EXPECT_FALSE(report({part, "--optional-stop"})["events"][0].contains("detail"));
 }
 
-TEST_F(GsimRun, MachinesAndTheirData) {
+TEST_F(GsimRun, ReadsPrintedAndOtherMachineFiles) {
     const std::string machine = write("machine.toml", gsim_run({"--print-machine"}).out);
     const std::string part = write("part.nc", "G55 G0 X100\n");
     EXPECT_EQ(report({part, "--machine", machine}), report({part}));
@@ -138,7 +138,7 @@ TEST_F(GsimRun, MachinesAndTheirData) {
     EXPECT_FALSE(router["bounds"].contains("B"));
 }
 
-TEST_F(GsimRun, ReplacesTheLibrary) {
+TEST_F(GsimRun, ReplacesLuaLibrary) {
     namespace fs = std::filesystem;
     fs::copy(tests::source_path("lua_lib"), folder_ / "lib", fs::copy_options::recursive);
     write("lib/common/switches.lua",
@@ -153,7 +153,7 @@ TEST_F(GsimRun, ReplacesTheLibrary) {
     EXPECT_EQ(gsim_run({part, "--lua-lib", "nowhere"}).status, 2);
 }
 
-TEST_F(GsimRun, FilesThatCannotBeReadOrWritten) {
+TEST_F(GsimRun, ReportsUnreadableAndUnwritableFiles) {
     const std::string part = write("part.nc", "G0 X1\n");
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"missing.nc"},
@@ -176,7 +176,7 @@ TEST_F(GsimRun, FilesThatCannotBeReadOrWritten) {
     EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(GsimRun, OptionsThatAreWrong) {
+TEST_F(GsimRun, RejectsInvalidOptions) {
     const std::string part = write("part.nc", "G0 X1\n");
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{part, "--nonsense"},
@@ -198,7 +198,7 @@ TEST_F(GsimRun, OptionsThatAreWrong) {
     EXPECT_TRUE(gsim_run({"--version"}).out.starts_with("gsim-run "));
 }
 
-TEST_F(GsimRun, OddInputsEnd) {
+TEST_F(GsimRun, EndsNormallyOnOddInput) {
     EXPECT_EQ(report({write("empty.nc", "")})["status"], "completed");
     EXPECT_EQ(report({write("empty.lua", "")})["status"], "completed");
     EXPECT_EQ(report({"-"}, 0, "")["status"], "completed");
@@ -214,7 +214,7 @@ TEST_F(GsimRun, OddInputsEnd) {
     }
 }
 
-TEST_F(GsimRun, PrintOfAScriptLeavesTheReportWhole) {
+TEST_F(GsimRun, ScriptOutputStaysOutOfReport) {
     const Ended e = gsim_run({write("part.lua", "print(\"hello\", 5)\nG0{x=1}\n"), "--json"});
     EXPECT_EQ(e.status, 0);
     EXPECT_EQ(e.err, "hello\t5\n");

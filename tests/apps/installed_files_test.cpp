@@ -27,7 +27,7 @@ class InstalledFiles : public Apps {
     fs::path bin() const { return folder_ / "opt" / "bin"; }
 };
 
-TEST_F(InstalledFiles, AreFoundFromTheProgramsPlace) {
+TEST_F(InstalledFiles, AreFoundFromProgramFolder) {
     const fs::path machine = install("share/gsim/samples/machines/lonely.toml");
     const fs::path part = install("share/gsim/samples/only_here.nc");
     EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "lonely").value(), machine.string());
@@ -45,7 +45,7 @@ TEST_F(InstalledFiles, AreFoundFromTheProgramsPlace) {
               module.string());
 }
 
-TEST_F(InstalledFiles, AFileOfTheUsersGoesBeforeThem) {
+TEST_F(InstalledFiles, UserFileHasPriority) {
     install("share/gsim/samples/machines/router3.toml");
     const std::string own = (folder_ / "router3").string();
     std::ofstream(own) << "";
@@ -55,7 +55,7 @@ TEST_F(InstalledFiles, AFileOfTheUsersGoesBeforeThem) {
 }
 
 // A name with its extension means the user's own file: a sample in its place would be another machine.
-TEST_F(InstalledFiles, WhatIsNowhereSaysWhereItWasLookedFor) {
+TEST_F(InstalledFiles, MissingFileReportsSearchedFolder) {
     install("share/gsim/samples/machines/router3.toml");
     EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "router3.toml").error().message,
               "cannot read 'router3.toml': No such file or directory; did you mean 'router3'?");
@@ -72,7 +72,7 @@ TEST_F(InstalledFiles, WhatIsNowhereSaysWhereItWasLookedFor) {
 }
 
 // The programs of a build folder, which has what an installation has.
-TEST_F(InstalledFiles, ProgramsTakeThemInAnEmptyFolder) {
+TEST_F(InstalledFiles, AreFoundByProgramsInEmptyFolder) {
     const Ended run = gsim_run({"--machine", "grbl-router", "--dialect", "rs274ngc", "samples/rosette.ngc"});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(gcode2lua({"--check", "samples/wheel.nc"}).status, 0);

@@ -22,7 +22,7 @@ json stopped(const Ended& run) {
     return report;
 }
 
-TEST_F(Limits, CpuTimeEndsAScriptThatMovesForEver) {
+TEST_F(Limits, CpuTimeEndsEndlessScript) {
     write("part.lua", "local n = 0\nwhile true do\n  n = n + 1\n  G0{x = n % 7}\nend\n");
     const json report = stopped(gsim_run({"part.lua", "--max-cpu-seconds", "0.2", "--json"}));
     EXPECT_EQ(report["alarm"]["file"], "part.lua");
@@ -30,7 +30,7 @@ TEST_F(Limits, CpuTimeEndsAScriptThatMovesForEver) {
     EXPECT_GT(report["moves"], 0);
 }
 
-TEST_F(Limits, CpuTimeEndsWorkInsideOfTheLibrary) {
+TEST_F(Limits, CpuTimeEndsSlowStringsAndProtectedCalls) {
     // Steps count from 0 again with each motion, and large values make each comparison slow.
     write("part.lua",
           "local a, b = (\"x\"):rep(1 << 26), (\"x\"):rep(1 << 26)\n"
@@ -40,7 +40,7 @@ TEST_F(Limits, CpuTimeEndsWorkInsideOfTheLibrary) {
     stopped(gsim_run({"caught.lua", "--max-cpu-seconds", "0.2", "--json"}));
 }
 
-TEST_F(Limits, CpuTimeEndsATranslation) {
+TEST_F(Limits, CpuTimeEndsTranslation) {
     std::string text;
     for (int i = 0; i < 20'000; ++i) text += "G0 X" + std::to_string(i % 9) + "\n";
     write("part.nc", text + "G999\n");
@@ -54,7 +54,7 @@ TEST_F(Limits, CpuTimeEndsATranslation) {
     EXPECT_EQ(standalone.out, "");
 }
 
-TEST_F(Limits, CpuTimeIsOfEachProgramThatIsChecked) {
+TEST_F(Limits, CpuTimeAppliesToEachCheckedProgram) {
     write("part.lua", "while true do G0{x=1} G0{x=0} end\n");
     const Ended check = run_program(tests::program_path("gsim"),
                                     {"check", "part.lua", "part.lua", "--max-cpu-seconds", "0.1"}, folder_);
@@ -63,7 +63,7 @@ TEST_F(Limits, CpuTimeIsOfEachProgramThatIsChecked) {
     EXPECT_NE(check.out.find(kReached, first + 1), std::string::npos) << check.out;
 }
 
-TEST_F(Limits, CpuTimeEndsARunOfRobotsAndAScriptOfAPath) {
+TEST_F(Limits, CpuTimeEndsRobotRunAndPathScript) {
     write("cell.toml",
           "[[robot]]\nname = \"left\"\nmachine = \"af5\"\n[[robot]]\nname = \"right\"\nmachine = \"af5\"\n");
     write("part.lua", "while true do G0{x=1} G0{x=0} end\n");
@@ -79,7 +79,7 @@ TEST_F(Limits, CpuTimeEndsARunOfRobotsAndAScriptOfAPath) {
     EXPECT_TRUE(contains(path.out + path.err, kReached)) << path.out << path.err;
 }
 
-TEST_F(Limits, AProgramThatIsRunAgainAndAgainIsKeptOnce) {
+TEST_F(Limits, RepeatedProgramIsStoredOnce) {
     std::string text;
     for (int i = 0; i < 2'000; ++i) text += "G0 X" + std::to_string(i % 9) + " Y1\n";
     write("sub.nc", text + "M30\n");
@@ -89,7 +89,7 @@ TEST_F(Limits, AProgramThatIsRunAgainAndAgainIsKeptOnce) {
     EXPECT_EQ(text::parse_json<json>(run.out)["moves"], 80'000) << run.out.substr(0, 400);
 }
 
-TEST_F(Limits, ARefusalTellsWhatAsksForHowMuch) {
+TEST_F(Limits, MemoryErrorReportsRequestedSize) {
     write("part.lua", "local s = (\"x\"):rep(1 << 30)\n");
     const Ended run = gsim_run({"part.lua", "--memory", "64", "--json"});
     EXPECT_EQ(run.status, 1);
@@ -98,7 +98,7 @@ TEST_F(Limits, ARefusalTellsWhatAsksForHowMuch) {
     EXPECT_TRUE(contains(message, "MB are used, and 1024.0 MB more are requested")) << message;
 }
 
-TEST_F(Limits, TextsOfScriptsAreOfTheMemory) {
+TEST_F(Limits, MemoryIncludesScriptTexts) {
     const std::string filler = "-- " + std::string(9 << 20, 'x') + "\n";
     write("part.lua", filler + "G0{x=1}\n");
     const Ended run = gsim_run({"part.lua", "--memory", "16"});
@@ -118,7 +118,7 @@ TEST_F(Limits, TextsOfScriptsAreOfTheMemory) {
         << several.err;
 }
 
-TEST_F(Limits, WhatIsKeptOfARunIsOfTheMemory) {
+TEST_F(Limits, MemoryIncludesRecordedPathAndSignals) {
     write("part.lua", "for i = 1, 100000 do G0{x = i % 7} end\n");
     const Ended path = gsim_run({"part.lua", "--memory", "16", "--record", "path.json", "--quiet"});
     EXPECT_EQ(path.status, 1);
@@ -135,7 +135,7 @@ TEST_F(Limits, WhatIsKeptOfARunIsOfTheMemory) {
         << signals.err;
 }
 
-TEST_F(Limits, AFileOfVariablesIsSmall) {
+TEST_F(Limits, RejectsLargeVariableFile) {
     std::string text;
     while (text.size() < (5U << 20U)) text += "500 1.25\n";
     write("kept.var", text);

@@ -14,7 +14,7 @@ class Modules : public Apps {
     }
 };
 
-TEST_F(Modules, AreFilesInTheFolderOfTheScript) {
+TEST_F(Modules, AreFilesInScriptFolder) {
     write("main/shapes.lua",
           "local _ENV = require \"gsim\"\nlocal shapes = {}\nfunction shapes.side(a) G91() G1{x=a} G90() "
           "end\nreturn shapes\n");
@@ -29,7 +29,7 @@ TEST_F(Modules, AreFilesInTheFolderOfTheScript) {
         << "the library's names are its own";
 }
 
-TEST_F(Modules, AreNotFoundElsewhere) {
+TEST_F(Modules, AreNotFoundOutsideScriptFolder) {
     write("outside.lua", "return 1");
     std::filesystem::create_directories(folder_ / "main");
     std::filesystem::create_symlink("../outside.lua", folder_ / "main/link.lua");
@@ -47,7 +47,7 @@ TEST_F(Modules, AreNotFoundElsewhere) {
               "the script\n");
 }
 
-TEST_F(Modules, ThatRequireThemselvesAreAnAlarm) {
+TEST_F(Modules, RaiseAlarmOnCircularRequire) {
     write("main/a.lua", "return require \"b\"");
     write("main/b.lua", "local a = require \"a\"\nreturn a");
     EXPECT_EQ(said("require \"a\""), "main/b.lua:1: alarm: the module \"a\" requires itself\n");

@@ -47,7 +47,7 @@ std::string destroys(const std::string& output, const std::string& input) {
         output, input);
 }
 
-TEST_F(NamedFiles, AnOutputIsNoInput) {
+TEST_F(NamedFiles, RejectsInputFileAsOutput) {
     EXPECT_EQ(rejected({"run", "p.nc", "--moves", "p.nc"}),
               destroys("--moves 'p.nc'", "part.lua|part.nc 'p.nc'"));
     fs::create_symlink("p.nc", folder_ / "link");
@@ -76,7 +76,7 @@ TEST_F(NamedFiles, AnOutputIsNoInput) {
               destroys("--variables 'd.txt'", "--machine-data 'd.txt'"));
 }
 
-TEST_F(NamedFiles, TwoOutputsAreTwoFiles) {
+TEST_F(NamedFiles, RejectsSameFileForTwoOutputs) {
     const auto same = [](const std::string& a, const std::string& b) {
         return fmt::format("{} and {} are the same file; use a separate file for each output", a, b);
     };
@@ -95,7 +95,7 @@ TEST_F(NamedFiles, TwoOutputsAreTwoFiles) {
               same("FILE 'd.txt'", "--output 'd.txt'"));
 }
 
-TEST_F(NamedFiles, RobotsFilesAreTheirOwn) {
+TEST_F(NamedFiles, RejectsSharedFileOfRobot) {
     write("robots.toml", "[[robot]]\nname = \"left\"\nmachine_data = \"d.left.txt\"\n");
     write("d.left.txt", kData);
     EXPECT_EQ(rejected({"run", "p.nc", "--robots", "robots.toml", "--moves", "m.json", "--report",
@@ -106,7 +106,7 @@ TEST_F(NamedFiles, RobotsFilesAreTheirOwn) {
     EXPECT_EQ(read("d.left.txt"), kData);
 }
 
-TEST_F(NamedFiles, WhatACellNamesIsRead) {
+TEST_F(NamedFiles, RejectsOutputOverMachineDataOfCell) {
     write("cell.toml", "[cell]\nname = \"c\"\nmachine_data = \"d.txt\"\n");
     EXPECT_EQ(rejected({"run", "p.nc", "--cell", "cell.toml", "--moves", "./d.txt"}),
               "--moves './d.txt' is the machine data of the cell, which would be overwritten; give it "
@@ -115,7 +115,7 @@ TEST_F(NamedFiles, WhatACellNamesIsRead) {
               0);
 }
 
-TEST_F(NamedFiles, StandardStreamsAreFilesWhereTheyAreRedirected) {
+TEST_F(NamedFiles, ChecksRedirectedStandardStreams) {
     const Ended output = shell("$G run p.nc --moves m.jsonl >m.jsonl");
     EXPECT_EQ(output.status, 2);
     EXPECT_TRUE(contains(output.err, "--moves 'm.jsonl' and standard output are the same file"))
@@ -127,7 +127,7 @@ TEST_F(NamedFiles, StandardStreamsAreFilesWhereTheyAreRedirected) {
     EXPECT_EQ(shell("$G translate p.nc -o p.lua <p.nc").status, 0) << "standard input is not read";
 }
 
-TEST_F(NamedFiles, StandardOutputTakesOne) {
+TEST_F(NamedFiles, RejectsTwoOutputsOnStandardOutput) {
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"run", "p.nc", "--moves", "-", "--sarif", "-"},
                                                {"translate", "p.nc", "-o", "-", "--sarif", "-"},
@@ -142,7 +142,7 @@ TEST_F(NamedFiles, StandardOutputTakesOne) {
     EXPECT_TRUE(contains(check.err, "p.nc: no errors"));
 }
 
-TEST_F(NamedFiles, WhatIsMeantStaysAllowed) {
+TEST_F(NamedFiles, AcceptsIntendedSharedFiles) {
     EXPECT_EQ(gsim({"run", "p.nc", "--quiet", "--moves", "/dev/null", "--report", "/dev/null"}).status, 0);
     EXPECT_EQ(gsim({"data", "d.txt", "set", "OFFSET", "54", "X=2"}).status, 0);
     EXPECT_EQ(gsim({"data", "d.txt", "convert", "--inch"}).status, 0);

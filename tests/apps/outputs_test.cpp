@@ -28,7 +28,7 @@ class Outputs : public Apps {
     const std::string part_ = write("part.nc", "G0 X100 Y100\nG1 X110 F3000\n\nG3 X100 Y110 I-10\nG4 P2\n");
 };
 
-TEST_F(Outputs, Moves) {
+TEST_F(Outputs, MovesHaveSourceLinesAndTimes) {
     EXPECT_EQ(gsim_run({part_, "--quiet", "--moves", "moves.jsonl"}).status, 0);
     const std::vector<std::string> moves = lines("moves.jsonl");
     ASSERT_EQ(moves.size(), 4U);
@@ -55,7 +55,7 @@ TEST_F(Outputs, Moves) {
 }
 
 // The run would end at an alarm in line 1: it does not begin.
-TEST_F(Outputs, NamesThatWillNotDoAreRefusedBeforeTheRun) {
+TEST_F(Outputs, RejectInvalidNamesBeforeRun) {
     const std::string alarms = write("alarms.nc", "#3000=1 (NOT RUN)\n");
     std::vector<std::string> options = output_options();
     options.insert(options.end(), {"--save-machine-data", "--variables"});
@@ -72,7 +72,7 @@ TEST_F(Outputs, NamesThatWillNotDoAreRefusedBeforeTheRun) {
                          "xz not in {xy,zx,yz}"));
 }
 
-TEST_F(Outputs, NoProgramPrintsANegativeZero) {
+TEST_F(Outputs, HaveNoNegativeZero) {
     const std::string part =
         write("zero.nc",
               "G21 G90 F1000\nG0 X100 Y100\nG3 X100 Y100 I-10\nG19 G68 Y0 Z0 R-90\nG0 X-0. Y-0. Z0\nPOPEN\n"
@@ -112,7 +112,7 @@ TEST_F(Outputs, GoToStandardOutput) {
     EXPECT_FALSE(exists("-"));
 }
 
-TEST_F(Outputs, ShareNoStream) {
+TEST_F(Outputs, RejectSharedStandardOutput) {
     const Ended two = gsim_run({part_, "--moves", "-", "--trajectory", "-"});
     EXPECT_EQ(two.status, 2);
     EXPECT_TRUE(contains(two.err, "--moves - and --trajectory - both use standard output")) << two.err;
@@ -124,7 +124,7 @@ TEST_F(Outputs, ShareNoStream) {
     EXPECT_TRUE(contains(plot.err, "--plot requires a file name")) << plot.err;
 }
 
-TEST_F(Outputs, RoundedCornersHaveTheirDeviation) {
+TEST_F(Outputs, ReportDeviationOfRoundedCorners) {
     std::string machine = "[machine]\nname = \"blends\"\n[controller]\nmodel = \"blend\"\n";
     for (const char letter : {'X', 'Y', 'Z'}) {
         machine += fmt::format(
@@ -152,7 +152,7 @@ TEST_F(Outputs, RoundedCornersHaveTheirDeviation) {
     EXPECT_GT(report["time"]["dwell_s"], 0.05) << "the last stop is exact and waits for the axes";
 }
 
-TEST_F(Outputs, Trajectory) {
+TEST_F(Outputs, TrajectoryHasRisingTimesAndEndPosition) {
     EXPECT_EQ(gsim_run({part_, "--quiet", "--trajectory", "path.csv", "--step", "0.5"}).status, 0);
     const std::vector<std::string> rows = lines("path.csv");
     ASSERT_GT(rows.size(), 6U);
@@ -167,18 +167,18 @@ TEST_F(Outputs, Trajectory) {
     }
 }
 
-TEST_F(Outputs, ReportIsTheJsonOfStandardOutput) {
+TEST_F(Outputs, ReportFileMatchesJsonOnStandardOutput) {
     const Ended e = gsim_run({part_, "--json", "--report", "report.json"});
     EXPECT_EQ(e.status, 0);
     EXPECT_EQ(text::parse_json<json>(read("report.json")), text::parse_json<json>(e.out));
 }
 
-TEST_F(Outputs, AReportFileIsExplainedToo) {
+TEST_F(Outputs, ReportFileHasExplanation) {
     EXPECT_EQ(gsim_run({part_, "--quiet", "--explain", "--report", "report.json"}).status, 0);
     EXPECT_TRUE(text::parse_json<json>(read("report.json")).contains("lower_bound_s"));
 }
 
-TEST_F(Outputs, Plot) {
+TEST_F(Outputs, PlotIsSvgAndRejectsUnknownFormat) {
     const Ended e = gsim_run({part_, "--quiet", "--plot", "path.svg"});
     if (e.status != 0 && contains(e.err, "gnuplot")) GTEST_SKIP() << e.err;
     EXPECT_EQ(e.status, 0) << e.err;
@@ -189,7 +189,7 @@ TEST_F(Outputs, Plot) {
     EXPECT_TRUE(contains(wrong.err, ".svg")) << wrong.err;
 }
 
-TEST_F(Outputs, AreWrittenUpToAnAlarm) {
+TEST_F(Outputs, AreWrittenUpToAlarm) {
     const std::string bad = write("bad.nc", "G0 X100\nG0 X9999\n");
     EXPECT_EQ(
         gsim_run({bad, "--stop-at-first", "--quiet", "--moves", "moves.jsonl", "--report", "report.json"})
@@ -199,7 +199,7 @@ TEST_F(Outputs, AreWrittenUpToAnAlarm) {
     EXPECT_EQ(text::parse_json<json>(read("report.json"))["status"], "alarm");
 }
 
-TEST_F(Outputs, OldFilesStayWhereNothingRan) {
+TEST_F(Outputs, KeepOldFilesIfNothingRan) {
     write("moves.jsonl", "old");
     EXPECT_EQ(gsim_run({write("bad.nc", "G999\n"), "--quiet", "--moves", "moves.jsonl"}).status, 1);
     EXPECT_EQ(read("moves.jsonl"), "old");

@@ -41,14 +41,14 @@ class OverrideOption : public Apps {
 };
 
 // 100 mm at 50 mm/s, or at 25, with 1000 mm/s2.
-TEST_F(OverrideOption, AFeedTakesTheTimeOfTheRamps) {
+TEST_F(OverrideOption, FeedOverrideGivesClosedFormTime) {
     EXPECT_NEAR(time_s("grbl-router", {}), 2 + 0.05, 1e-6);
     EXPECT_NEAR(time_s("grbl-router", {"--feed-override", "50"}), 4 + 0.025, 1e-6);
     EXPECT_NEAR(time_s("grbl-router", {"--feed-override", "150"}), 100 / 75.0 + 0.075, 1e-6);
     EXPECT_NEAR(time_s("linuxcnc-router", {"--feed-override", "50"}), 4 + 0.025, 0.004);
 }
 
-TEST_F(OverrideOption, OfNothingTheReportSaysNothing) {
+TEST_F(OverrideOption, ReportHasOverridesOnlyIfSet) {
     const json plain = text::parse_json<json>(run("router3", {"--json"}).out);
     EXPECT_FALSE(plain.contains("overrides"));
     const json overridden = text::parse_json<json>(run("router3", {"--json", "--feed-override", "55"}).out);
@@ -60,7 +60,7 @@ TEST_F(OverrideOption, OfNothingTheReportSaysNothing) {
                          "overrides   feed 55 %, rapid 100 %, spindle 100 % from 0.000 s on"));
 }
 
-TEST_F(OverrideOption, RangesAreThoseOfTheController) {
+TEST_F(OverrideOption, RejectsValuesOutsideControllerRange) {
     rejected("grbl-router", {"--feed-override", "9"},
              "--feed-override 9: the controller grbl-1.1 supports from 10 to 200 %");
     rejected("grbl-router", {"--rapid-override", "33"},
@@ -79,7 +79,7 @@ TEST_F(OverrideOption, RangesAreThoseOfTheController) {
     rejected("router3", {"--spindle-override", "0"}, "a spindle at 0 %");
 }
 
-TEST_F(OverrideOption, AFileTurnsThemInTheCourseOfTheRun) {
+TEST_F(OverrideOption, FileChangesOverridesDuringRun) {
     const std::string file = write("turned.toml",
                                    "[[override]]\nat_s = 1\nfeed_percent = 0\n"
                                    "[[override]]\nat_s = 3\nfeed_percent = 50\n");
@@ -90,7 +90,7 @@ TEST_F(OverrideOption, AFileTurnsThemInTheCourseOfTheRun) {
                 3 + (100 - (25 - 0.625) - 0.625) / 25 + 0.05, 1e-6);
 }
 
-TEST_F(OverrideOption, AFileIsReadStrictly) {
+TEST_F(OverrideOption, RejectsInvalidFile) {
     refused_file("[[override]]\nat_s = 1\nfeed = 50\n",
                  "turned.toml:3:1: unknown key 'feed' in [[override]]");
     refused_file("[[override]]\nfeed_percent = 50\n", "turned.toml:1:1: [[override]] lacks the key 'at_s'");
@@ -106,7 +106,7 @@ TEST_F(OverrideOption, AFileIsReadStrictly) {
     rejected("router3", {"--overrides", "none.toml"}, "none.toml");
 }
 
-TEST_F(OverrideOption, AModuleHasOverridesOfItsOwn) {
+TEST_F(OverrideOption, RejectsOverrideWithControllerModule) {
     for (const std::string option : {"--feed-override", "--rapid-override", "--spindle-override"}) {
         rejected(
             "router3", {option, "50", "--rcs", tests::default_module_path()},
@@ -114,7 +114,7 @@ TEST_F(OverrideOption, AModuleHasOverridesOfItsOwn) {
     }
 }
 
-TEST_F(OverrideOption, EachRobotObeys) {
+TEST_F(OverrideOption, AppliesToEachRobot) {
     write("r.toml", "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\n");
     const std::string script =
         write("cell.lua",

@@ -64,7 +64,7 @@ std::string appendix_j() {
 const std::set<std::string> kMendedArcs = {"N00120", "N00130", "N00140", "N00165", "N00185", "N00190",
                                            "N00195", "N00220", "N00225", "N00245", "N00285", "N00300"};
 
-TEST_F(Path2Gcode, TheThesisTestPartWordByWord) {
+TEST_F(Path2Gcode, MatchesThesisTestPartWordByWord) {
     const std::string reference = appendix_j();
     if (reference.empty()) GTEST_SKIP() << "no appendix_j.nc in GSIM_REFERENCE";
     const Ended ended = path2gcode({"--rotary", "as-given", kWheel});
@@ -85,7 +85,7 @@ TEST_F(Path2Gcode, TheThesisTestPartWordByWord) {
     }
 }
 
-TEST_F(Path2Gcode, LessTurningWithTheSameOrientations) {
+TEST_F(Path2Gcode, ReducesTurningWithSameOrientations) {
     const std::vector<Block> given =
         blocks_of(path2gcode({"--rotary", "as-given", "--verbose-words", kWheel}).out);
     const std::vector<Block> min = blocks_of(path2gcode({"--verbose-words", kWheel}).out);
@@ -101,7 +101,7 @@ TEST_F(Path2Gcode, LessTurningWithTheSameOrientations) {
     EXPECT_LT(turned_least, 0.5 * turned_given);
 }
 
-TEST_F(Path2Gcode, SubPathsInFilesOfTheirOwnAreFound) {
+TEST_F(Path2Gcode, RunFindsSubPathsInSeparateFiles) {
     const auto end_of = [this](const std::string& program, const std::string& dialect) {
         const Ended ran = gsim_run({"--dialect", dialect, "--quiet", "--report", "r.json", program});
         EXPECT_EQ(ran.status, 0) << ran.err;
@@ -115,7 +115,7 @@ TEST_F(Path2Gcode, SubPathsInFilesOfTheirOwnAreFound) {
     }
 }
 
-TEST_F(Path2Gcode, FilesOfSubPathsReplaceNoOthers) {
+TEST_F(Path2Gcode, SubPathFilesReplaceOthersOnlyOnRequest) {
     write("wheel_O0002.ppg", "of somebody else");
     const std::vector<std::string> repeated = {"--separate-files", "-o", "wheel.nc", kWheel};
     const Ended rejected = path2gcode(repeated);
@@ -130,7 +130,7 @@ TEST_F(Path2Gcode, FilesOfSubPathsReplaceNoOthers) {
     EXPECT_EQ(path2gcode({"--overwrite", "-o", "wheel.nc", kWheel}).status, 2) << "has nothing to say";
 }
 
-TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
+TEST_F(Path2Gcode, RejectsSubPathFileOverProgramOrInput) {
     const std::string post = built_in_post("ab9");
     write("mine.toml",
           std::regex_replace(post, std::regex("\\nfile = .*\n"), "\nfile = \"sub{number}.nc\"\n"));
@@ -157,7 +157,7 @@ TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
 }
 
 // Standstill at both ends: distance / speed + speed / acceleration.
-TEST_F(Path2Gcode, AccelerationsAreKeptOrNoted) {
+TEST_F(Path2Gcode, WritesOrReportsAccelerations) {
     write("a.path.json", R"json({"paths": [{"name": "a", "targets": [
         {"motion": "rapid", "position_mm": [100, 100, 100], "rotary_deg": {"B": 0, "C": 0}},
         {"position_mm": [300, 100, 100], "feed_mm_min": 6000, "acceleration_mm_s2": 50},
@@ -183,7 +183,7 @@ TEST_F(Path2Gcode, AccelerationsAreKeptOrNoted) {
         "note: 'acceleration_mm_s2' of 2 points is not written: the post 'fanuc' has no words for it\n");
 }
 
-TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
+TEST_F(Path2Gcode, ReportsErrorLocationAndWritesNoFile) {
     const auto rejected = [this](const std::string& text, std::vector<std::string> options = {}) {
         write("p.path.json", text);
         options.insert(options.end(), {"-o", "out.nc", "p.path.json"});
@@ -211,7 +211,7 @@ TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
     EXPECT_TRUE(contains(rejected(head + start + "]}]}", {"--dialect", "grbl"}), "axes XYZ"));
 }
 
-TEST_F(Path2Gcode, OptionsThatMakeNoSenseAreUsageErrors) {
+TEST_F(Path2Gcode, RejectsInvalidOptions) {
     EXPECT_EQ(path2gcode({"--dialect", "x", kWheel}).status, 2);
     EXPECT_EQ(path2gcode({"--machine", "no.toml", kWheel}).status, 2);
     EXPECT_EQ(path2gcode({"--separate-files", kWheel}).status, 2);
@@ -219,7 +219,7 @@ TEST_F(Path2Gcode, OptionsThatMakeNoSenseAreUsageErrors) {
     EXPECT_EQ(path2gcode({"no.path.json"}).status, 2);
 }
 
-TEST_F(Path2Gcode, StandardInputAndScripts) {
+TEST_F(Path2Gcode, ReadsStandardInputAndScripts) {
     std::ifstream file(kWheel);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(path2gcode({"-"}, text).out, path2gcode({kWheel}).out);
@@ -229,14 +229,14 @@ TEST_F(Path2Gcode, StandardInputAndScripts) {
 }
 
 /// The post is the user's own.
-TEST_F(Path2Gcode, APostFromAFile) {
+TEST_F(Path2Gcode, ReadsPostFromFile) {
     std::ifstream file(tests::source_path("samples/posts/fanuc.toml"));
     std::string text{std::istreambuf_iterator<char>(file), {}};
     write("mine.toml", text.replace(text.find("M30"), 3, "M99"));
     EXPECT_TRUE(contains(path2gcode({"--dialect", "mine.toml", kWheel}).out, " M99\n%\n"));
 }
 
-TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
+TEST_F(Path2Gcode, LinuxCncReachesSamePositions) {
     if (!has_rs274()) GTEST_SKIP() << "LinuxCNC's rs274 is not installed";
     write("part.path.json", R"json({"name": "part", "root": "all", "paths": [
         {"name": "all", "targets": [

@@ -131,7 +131,7 @@ Zigzag zigzag(unsigned seed, double length_mm, int lines) {
 }
 
 // G64 P merges lines, within its tolerance, and rounds the corners of the lines that come of it.
-TEST_F(PathDeviationMonitor, OfMergedLinesIsThatOfTheTrajectory) {
+TEST_F(PathDeviationMonitor, MatchesTrajectoryForMergedLines) {
     double max = 0;
     for (unsigned seed = 0; seed < 6; ++seed) {
         const Zigzag part = zigzag(seed, seed % 2 == 0 ? 0.1 : 0.25, 40);
@@ -149,7 +149,7 @@ TEST_F(PathDeviationMonitor, OfMergedLinesIsThatOfTheTrajectory) {
     EXPECT_GT(max, 0.06) << "more than the tolerance of one corner";
 }
 
-TEST_F(PathDeviationMonitor, OfParabolasAndArcsIsThatOfTheTrajectory) {
+TEST_F(PathDeviationMonitor, MatchesTrajectoryForParabolasAndArcs) {
     for (const std::string mode : {"G64", "G64 P0.4 Q0"}) {
         for (unsigned seed = 0; seed < 4; ++seed) {
             const Zigzag part = zigzag(seed, seed % 2 == 0 ? 0.2 : 3, 20);
@@ -165,7 +165,7 @@ TEST_F(PathDeviationMonitor, OfParabolasAndArcsIsThatOfTheTrajectory) {
 }
 
 // The parabola that cuts d off both lines of a right angle passes the corner by d sqrt(2) / 4.
-TEST_F(PathDeviationMonitor, OfAParabolaInClosedForm) {
+TEST_F(PathDeviationMonitor, MatchesClosedFormForParabola) {
     const Run outcome =
         run(machine("model = \"blend\"\ncorner = \"parabolic-blend\"\nblend_tolerance_mm = 20", kThreeSlides),
             "G21 G64 F30000\nG1 X10\nY10\nM2\n");
@@ -175,7 +175,7 @@ TEST_F(PathDeviationMonitor, OfAParabolaInClosedForm) {
     EXPECT_EQ(outcome.blends["feed"]["line"], 3) << "the move behind the corner";
 }
 
-TEST_F(PathDeviationMonitor, OfFeedAndRapidApart) {
+TEST_F(PathDeviationMonitor, SeparatesFeedAndRapid) {
     const Run outcome = run(machine("model = \"blend\"", kThreeSlides),
                             "G21 G64 P0.02 F600\nG1 X30\nY30\nG64 P0.5\nG0 X0\nY0\nG0 X10\nM2\n");
     EXPECT_NEAR(outcome.blends["feed"]["max_deviation_mm"].get<double>(), 0.02, 1e-9);
@@ -193,7 +193,7 @@ TEST_F(PathDeviationMonitor, OfFeedAndRapidApart) {
 
 // Half a degree about a part of 400 mm radius is 3.5 mm at its rim, though no slide is off by more than
 // the tolerance.
-TEST_F(PathDeviationMonitor, OnATurningPartIsThatOfTheTip) {
+TEST_F(PathDeviationMonitor, MeasuresTcpOnTurningPart) {
     struct Target {
         double x_mm, a_deg;
     };
@@ -223,7 +223,7 @@ TEST_F(PathDeviationMonitor, OnATurningPartIsThatOfTheTip) {
     }
 }
 
-TEST_F(PathDeviationMonitor, WhereCornersAreExactThereIsNone) {
+TEST_F(PathDeviationMonitor, ReportsZeroForExactCorners) {
     for (const std::string controller : {"model = \"exact-stop\"", "model = \"ab9\""}) {
         const Run outcome =
             run(machine(controller, kThreeSlides), "G21 F3000\nG1 X10\nY10\nG2 X20 Y0 R10\nG0 X0\nM2\n");

@@ -34,7 +34,7 @@ class PersistentFiles : public Apps {
     const std::string counts_ = write("counts.nc", "#500=#500+1\nM2\n");
 };
 
-TEST_F(PersistentFiles, ChangesAtOnceAreAllThere) {
+TEST_F(PersistentFiles, KeepAllConcurrentChanges) {
     write("d.txt", kData);
     const Ended ended = shell(
         "for i in $(seq 500 579); do $G data --wait 300 d.txt set VARIABLE $i VALUE=$i || echo $i & done; "
@@ -45,7 +45,7 @@ TEST_F(PersistentFiles, ChangesAtOnceAreAllThere) {
     EXPECT_EQ(files(), 2U) << "no lock and no temporary file is left";
 }
 
-TEST_F(PersistentFiles, RunsAtOnceCountOn) {
+TEST_F(PersistentFiles, CountAllConcurrentRuns) {
     const Ended ended = shell(
         "for i in $(seq 20); do $G run --quiet --wait 300 --variables v counts.nc || echo $i & done; wait");
     EXPECT_EQ(ended.out + ended.err, "");
@@ -61,7 +61,7 @@ TEST_F(PersistentFiles, RunsAtOnceCountOn) {
     EXPECT_EQ(files(), 3U);
 }
 
-TEST_F(PersistentFiles, AFileThatAnotherProgramChangesIsRefusedByName) {
+TEST_F(PersistentFiles, RejectFileLockedByOtherProgram) {
     write("d.txt", kData);
     const os::FileLock data = lock("d.txt"), variables = lock("v");
     for (const std::vector<std::string>& command :
@@ -89,7 +89,7 @@ TEST_F(PersistentFiles, AFileThatAnotherProgramChangesIsRefusedByName) {
         << "written, though not read";
 }
 
-TEST_F(PersistentFiles, ManyRunsOfOneNameLeaveAWholeFile) {
+TEST_F(PersistentFiles, StayCompleteAfterConcurrentRuns) {
     write("part.nc", "G0 X100\nG1 X110 F3000\nG3 X100 Y10 I-10\n");
     ASSERT_EQ(gsim_run({"--quiet", "--moves", "one.jsonl", "--report", "one.json", "part.nc"}).status, 0);
     const Ended ended = shell(

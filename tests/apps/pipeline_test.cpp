@@ -21,7 +21,7 @@ class Pipeline : public Apps {
     }
 };
 
-TEST_F(Pipeline, ScriptAndPartProgramGiveOneReport) {
+TEST_F(Pipeline, ScriptAndProgramGiveSameReport) {
     const std::filesystem::path wheel = tests::source_path("samples/wheel.nc");
     std::filesystem::copy_file(wheel, folder_ / "wheel.nc");
     const Ended lua = gcode2lua({"wheel.nc"});
@@ -37,7 +37,7 @@ TEST_F(Pipeline, ScriptAndPartProgramGiveOneReport) {
 }
 
 // The first line of a script is its writer's word; the reports name the file that was opened.
-TEST_F(Pipeline, AForgedFirstLineHidesNoFile) {
+TEST_F(Pipeline, ForgedFirstLineDoesNotHideFile) {
     write("good.nc", "G0 X5000\n");
     write("evil.lua", gcode2lua({"good.nc"}).out);
     const Ended run = gsim_run({"evil.lua"});
@@ -47,20 +47,20 @@ TEST_F(Pipeline, AForgedFirstLineHidesNoFile) {
     EXPECT_EQ(check.out.rfind("evil.lua: good.nc:1: ", 0), 0U) << check.out;
 }
 
-TEST_F(Pipeline, AlsoWhereALimitIsPassed) {
+TEST_F(Pipeline, ScriptAndProgramGiveSameViolations) {
     write("part.nc", "O1\nG0 X10\nM98 P2\nM2\nO2\n#1=5\nG0 X[#1*1000]\nM99\n");
     const json at_once = parsed(gsim_run({"part.nc", "--json"}));
     EXPECT_EQ(at_once["violations"][0]["line"], 7);
     EXPECT_EQ(parsed(gsim_run({"-", "--json"}, gcode2lua({"part.nc"}).out)), at_once);
 }
 
-TEST_F(Pipeline, PartProgramOnStandardInput) {
+TEST_F(Pipeline, LocatesViolationInStandardInput) {
     const json r = parsed(gsim_run({"-", "--json"}, "G0 X10\nG0 X9999\n"));
     EXPECT_EQ(r["violations"][0]["file"], "stdin");
     EXPECT_EQ(r["violations"][0]["line"], 2);
 }
 
-TEST_F(Pipeline, AnEditedScriptTellsItsOwnLines) {
+TEST_F(Pipeline, EditedScriptReportsScriptLines) {
     write("part.nc", "G0 X10\nG0 X20\n");
     std::string lua = gcode2lua({"part.nc"}).out;
     lua.replace(lua.find("x=20"), 4, "x=-20");
@@ -69,7 +69,7 @@ TEST_F(Pipeline, AnEditedScriptTellsItsOwnLines) {
     EXPECT_EQ(r["violations"][0]["line"], 3);  // line 2 of the G-code, below the line that opens the script
 }
 
-TEST_F(Pipeline, AScriptByHandNeedsNoHead) {
+TEST_F(Pipeline, RunsScriptWithoutHeader) {
     const json r =
         parsed(gsim_run({write("hand.lua", "F(6000)\nfor i = 1, 4 do G1{x=i * 10.0} end\n"), "--json"}));
     EXPECT_EQ(r["status"], "completed");
@@ -77,7 +77,7 @@ TEST_F(Pipeline, AScriptByHandNeedsNoHead) {
 }
 
 // The program runs in parts, and as a script at once: both give the same report.
-TEST_F(Pipeline, ALongProgramIsOneProgram) {
+TEST_F(Pipeline, LongProgramGivesSameReportAsScript) {
     std::string program = "G21 G90 F6000\n";
     for (int i = 1; i <= 60'000; ++i) program += "G1 X" + std::to_string(100 + i % 7) + "\n";
     write("long.nc", program + "G0 X0\nM2\n");
@@ -89,7 +89,7 @@ TEST_F(Pipeline, ALongProgramIsOneProgram) {
     EXPECT_EQ(parsed(gsim_run({"long.nc", "--json"}))["violations"][0]["line"], 60'002);
 }
 
-TEST_F(Pipeline, ScriptsPassLuasOwnCompiler) {
+TEST_F(Pipeline, ScriptsPassLuaCompiler) {
     const Ended there = run_program("/usr/bin/env", {"luac5.4", "-v"}, folder_);
     if (there.status != 0) GTEST_SKIP() << "no luac5.4";
     write("part.lua", gcode2lua({tests::source_path("samples/wheel.nc")}).out);

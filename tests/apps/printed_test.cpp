@@ -7,7 +7,7 @@
 namespace gsim::apps::printed_test {
 namespace {
 
-class Printed : public Apps {
+class PrintedText : public Apps {
   protected:
     static bool acts(const Ended& ended) {
         const auto is_control = [](char c) {
@@ -18,7 +18,7 @@ class Printed : public Apps {
     }
 };
 
-TEST_F(Printed, ControlCharactersOfProgramsAndScriptsAreWrittenOut) {
+TEST_F(PrintedText, EscapesControlCharacters) {
     write("part.nc", "G1 X1 F100\n(\x1b]0;title\x07 and \x1b[2J) Q\x1b[31m\n");
     const Ended wrong = gcode2lua({"--check", "part.nc"});
     EXPECT_EQ(wrong.status, 1);
@@ -33,7 +33,7 @@ TEST_F(Printed, ControlCharactersOfProgramsAndScriptsAreWrittenOut) {
     EXPECT_FALSE(acts(gsim_run({"\x1b[31m.nc"})));
 }
 
-TEST_F(Printed, WhatAScriptPrintsIsBounded) {
+TEST_F(PrintedText, LimitsLengthOfScriptOutput) {
     write("part.lua",
           "require \"gsim\"\nlocal line = string.rep(\"x\", 10000)\n"
           "program(1, function() for i = 1, 2000 do print(line) end end)\n");

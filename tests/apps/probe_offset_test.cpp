@@ -84,7 +84,7 @@ class ProbeOffset : public Apps {
 };
 
 // After the touches the frame is the body's, whatever the controller had for it or the program sets first.
-TEST_F(ProbeOffset, TheFrameIsWhereTheBodyIs) {
+TEST_F(ProbeOffset, FrameMatchesBodyPosition) {
     for (const std::string dialect : {"ab9", "fanuc", "rs274ngc"}) {
         for (const bool set : {false, true}) {
             for (const bool inch : {false, true}) {
@@ -112,7 +112,7 @@ TEST_F(ProbeOffset, TheFrameIsWhereTheBodyIs) {
 }
 
 // grbl has no words for the position of the contact: its frame is off by the braking distance, v^2 / 2a.
-TEST_F(ProbeOffset, GrblsFrameIsWhereTheToolHasComeToRest) {
+TEST_F(ProbeOffset, GrblFrameIsAtStandstillPosition) {
     write("p.path.json", path_with(R"("set_offset_mm": [304, 97, -66], )" + kTouches));
     const Ended ran = run(written("grbl"), "grbl", {"--save-machine-data", "s.txt"});
     ASSERT_EQ(ran.status, 0) << ran.err << ran.out;
@@ -122,7 +122,7 @@ TEST_F(ProbeOffset, GrblsFrameIsWhereTheToolHasComeToRest) {
     EXPECT_NEAR(got[2], -70 - 4.0 / (2 * 300), 2e-6);
 }
 
-TEST_F(ProbeOffset, EachControlSaysItInItsWords) {
+TEST_F(ProbeOffset, EachPostWritesItsWords) {
     write("p.path.json", path_with(R"("set_offset_mm": [304, 97, -66], )" + kTouches));
     const std::string behind_z = "G53 G00 Z0\nG00 X-15 Y20\nG00 Z-10\n";
     EXPECT_TRUE(contains(
@@ -142,7 +142,7 @@ TEST_F(ProbeOffset, EachControlSaysItInItsWords) {
 }
 
 // The probe meets no body: each controller stops, and no frame is moved.
-TEST_F(ProbeOffset, WhatTouchesNothingIsAnAlarm) {
+TEST_F(ProbeOffset, RaisesAlarmIfNothingIsTouched) {
     write("p.path.json",
           path_with(R"("probe_offset": [{"axis": "Z", "from_mm": [-50, 20, 15], "to_mm": -10, "surface_mm": 0,
                         "feed_mm_min": 120}])"));
@@ -160,7 +160,7 @@ TEST_F(ProbeOffset, WhatTouchesNothingIsAnAlarm) {
 }
 
 // The tool that touches comes first, then that of the path; each with its length.
-TEST_F(ProbeOffset, AToolOfItsOwn) {
+TEST_F(ProbeOffset, UsesSeparateProbeTool) {
     std::string touches = kTouches;
     touches = std::regex_replace(touches, std::regex("\"feed_mm_min\""), "\"tool\": 9, \"feed_mm_min\"");
     write("p.path.json", path_with(R"("set_offset_mm": [304, 97, -66], "tool": 3, )" + touches));
@@ -181,7 +181,7 @@ TEST_F(ProbeOffset, AToolOfItsOwn) {
 }
 
 // Once for each frame, in the order of the file, wherever the paths that are in them come.
-TEST_F(ProbeOffset, EachFrameIsFoundOnceBeforeAllElse) {
+TEST_F(ProbeOffset, MeasuresEachFrameOnceFirst) {
     const std::string touch =
         R"("probe_offset": [{"axis": "Z", "from_mm": [0, 0, 15], "to_mm": -9, "surface_mm": 1,
         "feed_mm_min": 120}])";
@@ -197,7 +197,7 @@ TEST_F(ProbeOffset, EachFrameIsFoundOnceBeforeAllElse) {
     EXPECT_EQ(order, "G54 G56 G38.2 G55 G38.2 G56 G55 G56 G54 ") << program;
 }
 
-TEST_F(ProbeOffset, WhatCannotBeIsRefused) {
+TEST_F(ProbeOffset, RejectsImpossibleTouches) {
     const auto rejected = [this](const std::string& keys, const std::vector<std::string>& more = {}) {
         write("p.path.json", path_with(keys));
         std::vector<std::string> options = {"p.path.json"};

@@ -51,7 +51,7 @@ frame = { x_mm = 250.0, y_mm = 200.0 }
     }
 };
 
-TEST_F(Probe, EndsWhereItTouchesABodyOfTheCell) {
+TEST_F(Probe, StopsAtContactWithBody) {
     const std::string program =
         "G21 F600\nG0 X50 Y200\nG38.2 X300\n(debug,%.4f#5061 #5070 #<_x>)\nG38.4 X50\n(debug,%.4f#5061 #5070 "
         "#<_x>)\nG0 X20\nM2\n";
@@ -71,14 +71,14 @@ TEST_F(Probe, EndsWhereItTouchesABodyOfTheCell) {
 }
 
 // The nozzle of the machine that is built in, 7.14 mm wide.
-TEST_F(Probe, IsTheMachinesToolWhereTheCellHasNone) {
+TEST_F(Probe, UsesMachineToolIfCellHasNone) {
     const json r =
         report("G21 F600\nG0 X50 Y200\nG38.2 X300\n(debug,%.4f#5061)\nG0 X20\nM2\n", {"--cell", cell(false)});
     EXPECT_EQ(debugs(r), "196.4300\n");
     EXPECT_TRUE(r["collisions"].empty()) << r["collisions"];
 }
 
-TEST_F(Probe, ATurnedWorkCoordinateSystemInInchesFindsTheSamePlace) {
+TEST_F(Probe, FindsSamePositionInRotatedInchFrame) {
     const json r = report(
         "G20 F20\nG10 L2 P1 X1 Y1 R90\nG53 G0 X1.9685 Y7.874\nG38.2 Y-20\n(debug,%.4f#5062 "
         "#5070)\nM2\n",
@@ -87,7 +87,7 @@ TEST_F(Probe, ATurnedWorkCoordinateSystemInInchesFindsTheSamePlace) {
     EXPECT_EQ(debugs(r), fmt::format("{:.4f} 1.0000\n", 1 - 195 / 25.4));
 }
 
-TEST_F(Probe, AMoveThatGoesDeeperCollides) {
+TEST_F(Probe, MoveBeyondContactCollides) {
     const json r =
         report("G21 F600\nG0 X50 Y200\nG38.2 X300\nG1 X210\nG0 X20\nM2\n",
                {"--machine",
@@ -99,20 +99,20 @@ TEST_F(Probe, AMoveThatGoesDeeperCollides) {
     EXPECT_EQ(r["collisions"][0]["kind"], "penetrating");
 }
 
-TEST_F(Probe, WhatItDoesNotFeelItCollidesWith) {
+TEST_F(Probe, CollidesWithBodyIfContactIsDisabled) {
     const std::string program = "G21 F600\nG0 X50 Y200\nG38.3 X300\n(debug,%.4f#5061 #5070)\nM2\n";
     EXPECT_EQ(debugs(report(program, {"--cell", cell(true), "--probe", "none"}, 1)), "300.0000 0.0000\n");
     EXPECT_EQ(debugs(report(program, {"--cell", cell(true), "--probe", "x=100"})), "100.0000 1.0000\n");
 }
 
-TEST_F(Probe, InTheCellNothingFoundIsAnAlarm) {
+TEST_F(Probe, RaisesAlarmWithoutContactInCell) {
     const json r = report("G21 F600\nG0 X50 Y200\nG38.2 X100\nM2\n", {"--cell", cell(true)}, 1);
     EXPECT_EQ(r["alarm"]["message"], "G38.2 has reached its end, but the probe has not made contact");
     EXPECT_EQ(r["alarm"]["line"], 3);
 }
 
 // The program moves the block, and the probe finds it at the new position.
-TEST_F(Probe, FeelsFramesWhereAProgramHasMovedThem) {
+TEST_F(Probe, FindsBodyAtMovedFrame) {
     const std::string script = write("part.lua", R"(local _ENV = require "gsim.rs274ngc"
 G21() F(600) G0{x=50, y=200}
 local _, pose = rrs.GetCellFrame("block")
@@ -126,7 +126,7 @@ DEBUG("%.4f", v[5061])
     EXPECT_EQ(debugs(text::parse_json<json>(e.out)), "295.0000\n");
 }
 
-TEST_F(Probe, TheOptionSaysWhatItTakes) {
+TEST_F(Probe, OptionErrorReportsValidValues) {
     const std::string program = "G21 F600\nG38.2 X30\nM2\n";
     const std::string accepts =
         "--probe must be none, or the position of a plane that stops probes, as x=, y= or z= in mm of "
@@ -147,7 +147,7 @@ TEST_F(Probe, TheOptionSaysWhatItTakes) {
     EXPECT_EQ(robots.err, "gsim-run: --probe cannot be combined with --robots\n");
 }
 
-TEST_F(Probe, ACheckTakesTheOptionToo) {
+TEST_F(Probe, CheckAcceptsOption) {
     const std::string part = write("part.ngc", "G21 F600\nG38.2 X30\nM2\n");
     const auto check = [&](const std::string& value) {
         return run_program(tests::program_path("gsim"),
@@ -159,7 +159,7 @@ TEST_F(Probe, ACheckTakesTheOptionToo) {
     EXPECT_TRUE(contains(nothing.out, "G38.2 has reached its end, but the probe has not made contact"));
 }
 
-TEST_F(Probe, TheRecordedPathEndsWhereTheMachineStood) {
+TEST_F(Probe, RecordedPathEndsAtStopPosition) {
     const Ended e = gsim_run({write("part.ngc", "G21 F600\nG38.2 X300\nG1 X0\nM2\n"), "--dialect", "rs274ngc",
                               "--probe", "x=100", "--record", "-"});
     ASSERT_EQ(e.status, 0) << e.err;
@@ -167,7 +167,7 @@ TEST_F(Probe, TheRecordedPathEndsWhereTheMachineStood) {
 }
 
 // A module is stopped at the end of the step in which it touches; ours brakes as the planner in process does.
-TEST_F(Probe, AControllerModuleIsStopped) {
+TEST_F(Probe, StopsControllerModule) {
     const std::string program = "G21 F600\nG38.2 X300\n(debug,%.4f#5061 #5070 #<_x>)\nM2\n";
     const json r = report(program, {"--probe", "x=100", "--rcs", tests::default_module_path()});
     double trip_mm = 0;
@@ -181,7 +181,7 @@ TEST_F(Probe, AControllerModuleIsStopped) {
     EXPECT_LE(stop_mm, 100 + kBraking_mm + 0.02);  // two steps of 1 ms at 10 mm/s
 }
 
-TEST_F(Probe, AModuleThatCannotBeStoppedIsAnAlarm) {
+TEST_F(Probe, RaisesAlarmIfModuleCannotStop) {
     const json r =
         report("G21 F600\nG38.2 X300\nM2\n",
                {"--probe", "x=100", "--rcs", tests::build_path("lib/test_modules/small_module.so")}, 1);

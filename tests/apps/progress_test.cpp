@@ -23,14 +23,14 @@ std::string drawn(bool enabled, std::uint64_t done, std::uint64_t total) {
     return text;
 }
 
-TEST(Progress, DrawsAndWipes) {
+TEST(Progress, DrawsAndClearsBar) {
     const std::string bar = std::string(20, '=') + std::string(20, ' ');
     EXPECT_EQ(drawn(true, 5, 10), "\r[" + bar + "]  50 %\r\x1b[K");
     EXPECT_EQ(drawn(true, 20, 10), "\r[" + std::string(40, '=') + "] 100 %\r\x1b[K");
     EXPECT_EQ(drawn(true, 5, 0), "\r5 blocks\r\x1b[K");
 }
 
-TEST(Progress, SilentWhereThereIsNoTerminal) {
+TEST(Progress, IsSilentWithoutTerminal) {
     EXPECT_EQ(drawn(false, 5, 10), "");
     std::FILE* file = std::tmpfile();
     {

@@ -55,7 +55,7 @@ class Rapids : public Apps {
     }
 };
 
-TEST_F(Rapids, CollisionsAreThoseOfTheDrivenWay) {
+TEST_F(Rapids, CollisionsFollowDrivenPath) {
     for (const double acceleration : {0.0, 1e5, 1e4}) {
         SCOPED_TRACE(acceleration);
         for (const bool interpolated : {true, false}) {
@@ -73,21 +73,21 @@ TEST_F(Rapids, CollisionsAreThoseOfTheDrivenWay) {
     }
 }
 
-TEST_F(Rapids, CollisionsAreAtTheirInstant) {
+TEST_F(Rapids, CollisionHasCorrectTime) {
     // The ball touches the post at X90 when its middle is at X85 or Y85, both at once.
     const json r = report(false, 0, {"--cell", write("cell.toml", post_at(100, 100))}, 1);
     const double touch_mm = 90 - 5 / std::sqrt(2.0);
     EXPECT_NEAR(r["collisions"][0]["t_s"].get<double>(), touch_mm / kSpeed_mm_s, 1e-6);
 }
 
-TEST_F(Rapids, NearMissesAreThoseOfTheDrivenWay) {
+TEST_F(Rapids, NearMissesFollowDrivenPath) {
     const json r = report(false, 0, {"--cell", write("cell.toml", post_at(104, 120))}, 0);
     ASSERT_EQ(r["clearances"].size(), 1U);
     EXPECT_NEAR(r["clearances"][0]["clearance_mm"].get<double>(), 5, 1e-3) << "along Y100";
     EXPECT_EQ(report(true, 0, {"--cell", "cell.toml"}, 0)["clearances"].size(), 0U);
 }
 
-TEST_F(Rapids, ZonesAreThoseOfTheDrivenWay) {
+TEST_F(Rapids, ZoneViolationsFollowDrivenPath) {
     const auto zone = [](double x_mm, double y_mm) {
         return fmt::format("NCFILE\nSECURITY\n1 {} {} {} {} - - ENTER\nENDFILE\n", x_mm - 10, x_mm + 10,
                            y_mm - 10, y_mm + 10);
@@ -111,7 +111,7 @@ TEST_F(Rapids, ZonesAreThoseOfTheDrivenWay) {
 }
 
 // The alarm cuts the current segment.
-TEST_F(Rapids, AnAlarmStandsOnTheDrivenWay) {
+TEST_F(Rapids, AlarmStopsOnDrivenPath) {
     const std::string zone = write("z.txt", "NCFILE\nSECURITY\n1 150 160 90 110 - - ENTER\nENDFILE\n");
     const json r = report(false, 0, {"--machine-data", zone, "--stop-at-first", "--moves", "m.jsonl"}, 1);
     EXPECT_EQ(r["status"], "alarm");
@@ -119,7 +119,7 @@ TEST_F(Rapids, AnAlarmStandsOnTheDrivenWay) {
     EXPECT_NEAR(r["length"]["rapid_mm"].get<double>(), 100 * std::sqrt(2.0) + 50, 1e-6);
 }
 
-TEST_F(Rapids, LengthsTrajectoryAndBoundAreOfTheDrivenWay) {
+TEST_F(Rapids, LengthTrajectoryAndBoundFollowDrivenPath) {
     const json r = report(false, 0, {"--explain", "--trajectory", "t.csv", "--step", "0.05"}, 0);
     EXPECT_NEAR(r["cycle_time_s"].get<double>(), 0.3, 1e-9);
     EXPECT_NEAR(r["length"]["rapid_mm"].get<double>(), 100 * std::sqrt(2.0) + 200, 1e-6);
@@ -130,14 +130,14 @@ TEST_F(Rapids, LengthsTrajectoryAndBoundAreOfTheDrivenWay) {
 }
 
 // Our own planner runs in steps as a module: the module receives the rule.
-TEST_F(Rapids, ModulesAreToldTheRule) {
+TEST_F(Rapids, ModuleReceivesInterpolationRule) {
     const json r =
         report(false, 1e4,
                {"--rcs", tests::default_module_path(), "--cell", write("cell.toml", post_at(100, 100))}, 1);
     EXPECT_EQ(r["collisions"].size(), 1U);
 }
 
-TEST_F(Rapids, OfCyclesAndOfTheWayHomeAreRapidsToo) {
+TEST_F(Rapids, CyclesAndHomingUseUninterpolatedRapids) {
     write("m.toml", make_machine(false, 0));
     write("z.txt", "NCFILE\nSECURITY\n1 90 110 90 110 - - ENTER\nENDFILE\n");
     for (const char* program : {"G81 X300 Y100 Z-1 R0 F600\nG80\nM30\n", "G91 G28 X300 Y100\nM30\n"}) {
@@ -147,7 +147,7 @@ TEST_F(Rapids, OfCyclesAndOfTheWayHomeAreRapidsToo) {
     }
 }
 
-TEST_F(Rapids, WhatCannotDoWithoutInterpolationIsRefused) {
+TEST_F(Rapids, RejectsSettingsIncompatibleWithInterpolationOff) {
     const auto error_of = [&](const std::string& machine) {
         const Ended e = gsim_run({"--machine", write("m.toml", machine), write("part.nc", kProgram)});
         EXPECT_EQ(e.status, 2);

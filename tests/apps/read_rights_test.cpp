@@ -12,7 +12,7 @@
 namespace gsim::apps::read_rights_test {
 namespace {
 
-class ReadRights : public Apps {
+class ReadPermissions : public Apps {
   protected:
     void make_pipe(const std::string& name) const { ASSERT_EQ(::mkfifo((folder_ / name).c_str(), 0600), 0); }
     Ended shell(const std::string& command) const {
@@ -20,7 +20,7 @@ class ReadRights : public Apps {
     }
 };
 
-TEST_F(ReadRights, APipeThatAFileNamesIsAnError) {
+TEST_F(ReadPermissions, RejectsPipeNamedInFile) {
     make_pipe("pipe.toml");
     make_pipe("pipe.stl");
     make_pipe("pipe.txt");
@@ -40,7 +40,7 @@ TEST_F(ReadRights, APipeThatAFileNamesIsAnError) {
     EXPECT_TRUE(contains(ended.err, message)) << ended.err;
 }
 
-TEST_F(ReadRights, PipesOfTheCommandLineAreRead) {
+TEST_F(ReadPermissions, ReadsPipesOfCommandLine) {
     write("part.nc", "G0 X1\nM2\n");
     const std::string machine = tests::source_path("samples/machines/af5.toml");
     write("cell.toml", "[cell]\nname = \"c\"\n");
@@ -55,7 +55,7 @@ TEST_F(ReadRights, PipesOfTheCommandLineAreRead) {
     EXPECT_EQ(translated.status, 0) << translated.err;
 }
 
-TEST_F(ReadRights, CalledProgramsStayInTheFolderOfTheScript) {
+TEST_F(ReadPermissions, RejectsCalledProgramOutsideScriptFolder) {
     std::filesystem::create_directory(folder_ / "inside");
     write("secret.lua", "print('secret')\n");
     write("inside/own.lua", "print('own')\n");

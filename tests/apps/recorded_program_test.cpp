@@ -46,7 +46,7 @@ class RecordedProgram : public Apps {
 };
 
 // The specimen: machine coordinates under an active G54 drove the head 60 mm too deep.
-TEST_F(RecordedProgram, StandsWhereTheFirstOneDidUnderAnyOffsets) {
+TEST_F(RecordedProgram, EndsAtSamePositionWithAnyOffsets) {
     record("G21 G90 G0 X10 Y20 Z200\nG1 Z190 F600\nM30\n");
     const std::string first = place(read("first.jsonl"));
     EXPECT_EQ(first, R"("to":{"X":210,"Y":170,"Z":130,"B":0,"C":0)");
@@ -63,13 +63,13 @@ TEST_F(RecordedProgram, StandsWhereTheFirstOneDidUnderAnyOffsets) {
     }
 }
 
-TEST_F(RecordedProgram, BeginsWithNothingThatNobodyProgrammed) {
+TEST_F(RecordedProgram, BeginsWithProgrammedWordsOnly) {
     record("G21 G90 S1200 M3\nG1 X10 F600\nM30\n");
     EXPECT_EQ(written({"--dialect", "rs274ngc"}),
               "(x)\nG21 G17 G40 G49 G54 G80 G90 G94 G91.1\nG92.2\nS1200\nM3\nG01 X10 F600\nM2\n");
 }
 
-TEST_F(RecordedProgram, SaysToolsSpeedsSwitchesModesAndFeedsAgain) {
+TEST_F(RecordedProgram, RepeatsToolsSpeedsSwitchesModesAndFeeds) {
     record(
         "T3\nM6\nS1200 M3\nG0 X10 Y10 Z200\nM8\nG93 G1 X50 F30\nG2 X70 I10 J0 F20\nG94 F500\nG61\nG1 Y40\n"
         "G64\nG48.1 X500 Y400\nG1 X20 F2000\nG48\nG95 G1 X60 F0.5\nG94\n#1103=1\nG4 P0.5\nG55\n"
@@ -87,7 +87,7 @@ TEST_F(RecordedProgram, SaysToolsSpeedsSwitchesModesAndFeedsAgain) {
 }
 
 // If the controller has a word for turns, an arc of several turns comes back as one block, helices included.
-TEST_F(RecordedProgram, ArcsOfSeveralTurnsAreOneBlock) {
+TEST_F(RecordedProgram, WritesMultiTurnArcAsOneBlock) {
     record("G21 G90 G0 X10 Y10 Z200\nG2 X10 Y10 I20 J0 P3 F600\nG3 X50 Y10 Z190 I20 J0 P2\nM2\n",
            {"--dialect", "rs274ngc"});
     const std::string ngc = written({"--dialect", "rs274ngc"});
@@ -96,7 +96,7 @@ TEST_F(RecordedProgram, ArcsOfSeveralTurnsAreOneBlock) {
 }
 
 // LinuxCNC's M6 stops the spindle, the change of the recorded run did not: it went on cutting with it on.
-TEST_F(RecordedProgram, ASpindleThatAChangeOfTheToolStopsIsSetGoingAgain) {
+TEST_F(RecordedProgram, RestartsSpindleAfterToolChange) {
     record("S1200 M4\nT3 M6\nG1 X10 F600\nM5\nM6\nG1 X20\nM30\n");
     const std::string ngc = written({"--dialect", "rs274ngc"});
     EXPECT_TRUE(contains(ngc, "S1200\nM4\nT3\nM6\nS1200\nM4\nG01 X10 F600\nM5\nM6\nX20\n")) << ngc;
@@ -108,7 +108,7 @@ TEST_F(RecordedProgram, ASpindleThatAChangeOfTheToolStopsIsSetGoingAgain) {
 }
 
 // The same subprogram, once with the spindle on and once with it off.
-TEST_F(RecordedProgram, AChangeOfTheToolWithTheSpindleOnAndOffIsRefused) {
+TEST_F(RecordedProgram, RejectsToolChangeWithAmbiguousSpindleState) {
     record("M3\nG1 X10 F600\nM98 P2\nM5\nG1 X10\nM98 P2\nM30\n%\nO2\nM6\nG0 X20\nM99\n");
     EXPECT_EQ(
         rejection({"--dialect", "rs274ngc"}),
@@ -117,7 +117,7 @@ TEST_F(RecordedProgram, AChangeOfTheToolWithTheSpindleOnAndOffIsRefused) {
     EXPECT_TRUE(contains(written(), "M06\n"));
 }
 
-TEST_F(RecordedProgram, WhatAControlHasNoWordForIsRefusedByName) {
+TEST_F(RecordedProgram, RejectsActionsUnknownToPost) {
     record("M10\nG48.1 X500\nG48.1 X600\nG1 X10 F600\nM30\n");
     EXPECT_EQ(rejection({"--dialect", "rs274ngc"}),
               "error: the post 'rs274ngc' has no words for 'ramp_limit acceleration X 500 mm', 'ramp_limit "
@@ -132,7 +132,7 @@ TEST_F(RecordedProgram, WhatAControlHasNoWordForIsRefusedByName) {
     EXPECT_TRUE(contains(went_on.out, "(action: ramp_limit acceleration X 500 mm)\n")) << went_on.out;
 }
 
-TEST_F(RecordedProgram, OffsetsThatCannotBeWrittenAreRefused) {
+TEST_F(RecordedProgram, RejectsUnwritableOffsets) {
     record("G10 L2 P2 R30\nG55\nG0 X1 Y1 Z1\nM2\n", {"--dialect", "rs274ngc"});
     EXPECT_EQ(written({"--dialect", "rs274ngc"}).substr(0, 4), "(x)\n") << "turned by the program itself";
     write("hand.path.json",
@@ -158,7 +158,7 @@ TEST_F(RecordedProgram, OffsetsThatCannotBeWrittenAreRefused) {
 }
 
 // Rotary axes keep their positions, full turns included, without an option.
-TEST_F(RecordedProgram, RotaryAxesKeepTheirTurns) {
+TEST_F(RecordedProgram, KeepsTurnsOfRotaryAxes) {
     record("G21 G90 G0 X0 Y0 Z100\nG0 B350\nG0 B-350\nM30\n");
     EXPECT_TRUE(contains(written(), "B350.000\n")) << written();
 }

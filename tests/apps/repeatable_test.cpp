@@ -5,7 +5,7 @@
 namespace gsim::apps::repeatable_test {
 namespace {
 
-using Repeatable = Apps;
+using Repeatability = Apps;
 
 constexpr const char* kScript = R"(
 local t = {}
@@ -23,7 +23,7 @@ for _, f in ipairs{print, pairs, next, tostring, string.rep, string.find, table.
 G0{x=1, november=1, charlie=1, zulu=1, mike=1, kilo=1}
 )";
 
-TEST_F(Repeatable, InEachProcess) {
+TEST_F(Repeatability, GivesSameOutputInEachProcess) {
     write("part.lua", kScript);
     const Ended first = gsim_run({"part.lua", "--json"});
     EXPECT_EQ(first.status, 1);

@@ -28,14 +28,14 @@ std::string changed(std::string text, const std::string& from, const std::string
     return text.replace(text.find(from), from.size(), to);
 }
 
-TEST_F(SavedData, ARunThatChangesNothingLeavesEachByte) {
+TEST_F(SavedData, KeepsEachByteIfNothingChanged) {
     for (const char* dialect : {"ab9", "rs274ngc"}) {
         EXPECT_EQ(after(kData, "G54 G0 X1\nG55 X1\nG21 G43 H1\nM2\n", dialect), kData) << dialect;
         EXPECT_EQ(after(kData, "M2\n", dialect), kData) << dialect;
     }
 }
 
-TEST_F(SavedData, G10AndSystemVariablesOfThe9Series) {
+TEST_F(SavedData, HasG10AndSystemVariablesOfAb9) {
     std::string expected_value = changed(kData, "10.00 ", "12.5  ");
     expected_value = changed(expected_value, "1  0  0  inch", "2  0  0  inch");
     expected_value = changed(expected_value, "inch\r\nT", "inch\r\n505  0  0  3\r\nT");
@@ -49,7 +49,7 @@ TEST_F(SavedData, G10AndSystemVariablesOfThe9Series) {
               expected_value);
 }
 
-TEST_F(SavedData, WhatWasSavedIsInForceInTheNextRun) {
+TEST_F(SavedData, IsActiveInNextRun) {
     const std::string data = after(kData, "#5201=-4\n#5221=20\n#2001=1\nM2\n");
     const std::string test =
         "IF[#5201 NE -4]THEN #3000=1\nIF[#5221 NE 20]THEN #3000=2\n"
@@ -58,7 +58,7 @@ TEST_F(SavedData, WhatWasSavedIsInForceInTheNextRun) {
     EXPECT_EQ(after(data, test), data);
 }
 
-TEST_F(SavedData, G10OfRs274ngc) {
+TEST_F(SavedData, HasG10OfRs274ngc) {
     std::string expected_value = changed(kData, "10.00 ", "12.7  ");
     expected_value = changed(expected_value, "2 1 2 inch", "2 1.5 2  X=0.25 inch");
     expected_value = changed(expected_value, "500 7", "500 8");
@@ -67,14 +67,14 @@ TEST_F(SavedData, G10OfRs274ngc) {
               expected_value);
 }
 
-TEST_F(SavedData, WithoutAFileToBeginWithThereIsANewOne) {
+TEST_F(SavedData, CreatesFileIfNoneWasRead) {
     const Ended e = gsim_run(
         {"--quiet", "--save-machine-data", "n.txt", write("part.nc", "G10 L2 P1 X5\n#500=1\nG0 X-9999\n")});
     EXPECT_EQ(e.status, 1) << "an alarm, and the tables are kept";
     EXPECT_EQ(read("n.txt"), "NCFILE\nOFFSET\n54  5  0  0\nVARIABLE\n500  1\nENDFILE\n");
 }
 
-TEST_F(SavedData, BesidePermanentVariablesInTheirOwnFile) {
+TEST_F(SavedData, WritesVariablesToBothFiles) {
     write("kept.var", "501\t4\n");
     write("d.txt", "NCFILE\nVARIABLE\n500 1\nENDFILE\n");
     const Ended e = gsim_run({"--quiet", "--variables", "kept.var", "--machine-data", "d.txt",
@@ -84,7 +84,7 @@ TEST_F(SavedData, BesidePermanentVariablesInTheirOwnFile) {
     EXPECT_EQ(read("d.txt"), "NCFILE\nVARIABLE\n500 2\n501  4\nENDFILE\n");
 }
 
-TEST_F(SavedData, ARunThatIsStoppedKeepsItsTablesToo) {
+TEST_F(SavedData, KeepsTablesOfStoppedRun) {
     write("d.txt", kData);
     const Ended e = gsim_run({"--quiet", "--max-steps", "100000", "--variables", "kept.var", "--machine-data",
                               "d.txt", "--save-machine-data", "d.txt",
@@ -94,7 +94,7 @@ TEST_F(SavedData, ARunThatIsStoppedKeepsItsTablesToo) {
     EXPECT_EQ(read("kept.var"), "500\t8\n501\t3\n");
 }
 
-TEST_F(SavedData, AValueThatNoFileHoldsIsAnError) {
+TEST_F(SavedData, RejectsValueOutOfRange) {
     write("d.txt", kData);
     const Ended e = gsim_run({"--quiet", "--machine-data", "d.txt", "--save-machine-data", "d.txt",
                               write("part.nc", "#500=1000000*1000000\nM2\n")});

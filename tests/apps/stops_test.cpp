@@ -164,11 +164,11 @@ TEST_F(Stops, EachModelStopsAtItsWords) {
     for (const Word& word : kNgcWords) expect_stops(word, "rs274ngc");
 }
 
-TEST_F(Stops, WordsOfTheOtherDialectStopByTheSameRules) {
+TEST_F(Stops, Ab9WordsFollowSameRules) {
     for (const Word& word : kAb9Words) expect_stops(word, "ab9");
 }
 
-TEST_F(Stops, AMachineFileMayHaveRulesOfItsOwn) {
+TEST_F(Stops, MachineFileOverridesRules) {
     const std::string text = read(make_machine("grbl-1.1"));
     const Word message{"", "(MSG,x)", ""};
     EXPECT_LT(stop_s(message, "rs274ngc", make_machine("grbl-1.1")), 0.02);
@@ -212,7 +212,7 @@ std::map<std::string, double> recorded_times(const fs::path& table) {
 }
 
 // LinuxCNC 2.9 ran each word between two lines: 1.353 s in passing, 1.556 s with a stop.
-TEST_F(Stops, LinuxCncAsRecorded) {
+TEST_F(Stops, MatchRecordedLinuxCncTimes) {
     const char* const reference = std::getenv("GSIM_REFERENCE");
     const fs::path folder = fs::path(reference == nullptr ? "" : reference) / "linuxcnc2";
     if (reference == nullptr || !fs::is_directory(folder)) GTEST_SKIP() << "no recordings in GSIM_REFERENCE";

@@ -28,7 +28,7 @@ class StoredPoints : public Apps {
 
 constexpr const char* kClamp = R"("to":{"X":254,"Y":203.2,"Z":304.8,"B":30,"C":-45)";
 
-TEST_F(StoredPoints, AScriptGoesThereByName) {
+TEST_F(StoredPoints, ScriptMovesToPointByName) {
     const std::string script =
         write("part.lua",
               "local _ENV = require \"gsim\"\nprogram(1, function()\nG54() G43{h=1}\nG0{x=10, y=10}\n"
@@ -41,7 +41,7 @@ TEST_F(StoredPoints, AScriptGoesThereByName) {
     EXPECT_EQ(place_after(write("again.nc", written.out)), kClamp);
 }
 
-TEST_F(StoredPoints, APartProgramGoesThereByAnMCode) {
+TEST_F(StoredPoints, ProgramMovesToPointByMCode) {
     const std::string setup = write("points.lua",
                                     "local _ENV = require \"gsim\"\n"
                                     "M[101] = function(words) G53() G0(fixed(words.p)) end\n"
@@ -51,7 +51,7 @@ TEST_F(StoredPoints, APartProgramGoesThereByAnMCode) {
               R"("to":{"X":400,"Y":500,"Z":100,"B":0,"C":0)");
 }
 
-TEST_F(StoredPoints, OneThatIsNotThereIsAnAlarm) {
+TEST_F(StoredPoints, MissingPointRaisesAlarm) {
     write("d.txt", kData);
     const Ended ran =
         gsim_run({write("part.lua", "G53() G0(fixed \"CLAMP7\")\n"), "--machine-data", "d.txt"});

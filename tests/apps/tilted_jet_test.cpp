@@ -45,7 +45,7 @@ struct Sample {
     double outwards() const { return (top_x_mm() * axis_x() + top_y_mm() * axis_y()) / top_radius_mm(); }
 };
 
-class LeaningJet : public Apps {
+class TiltedJet : public Apps {
   protected:
     /// The driven motion of a ring that is cut out by a jet.
     std::vector<Sample> drive(const std::vector<std::string>& options) const {
@@ -85,7 +85,7 @@ class LeaningJet : public Apps {
 
 // The jet's axis must stay on the cone of the bevel: a half circle with correct ends may pass through the
 // upright.
-TEST_F(LeaningJet, IsOnTheConeAllAlongACircle) {
+TEST_F(TiltedJet, StaysOnConeAlongCircle) {
     constexpr double kKerf_mm = 0.8;
     constexpr double kBevel_deg = 30;
     const double half_kerf_mm = kKerf_mm / 2 / std::cos(kBevel_deg * kRadPerDeg);
@@ -106,8 +106,8 @@ TEST_F(LeaningJet, IsOnTheConeAllAlongACircle) {
 }
 
 // The kerf closes by 0.25 mm u / u1 on each side of 12 mm.
-TEST_F(LeaningJet, GoesAgainstTheTaper) {
-    const double share = 307.87 / 1089.1;  // of the separation speed: AMaterialGivesTheSpeedsAndThePrice
+TEST_F(TiltedJet, CompensatesTaper) {
+    const double share = 307.87 / 1089.1;  // of the separation speed: ReportsCuttingSpeedOfMaterial
     const double wall_tilt_deg = std::atan(0.25 * share / 12) * kDegPerRad;
     std::size_t on_part = 0;
     for (const Sample& sample :
@@ -125,7 +125,7 @@ TEST_F(LeaningJet, GoesAgainstTheTaper) {
 }
 
 // The jet moves back and forth on the lead, for the time that the material takes.
-TEST_F(LeaningJet, AMovingPierceTakesItsTimeOnTheLead) {
+TEST_F(TiltedJet, DynamicPierceTakesItsTimeOnLeadIn) {
     drive({"--speed", "300", "--kerf", "0.8", "--pierce", "4", "--dynamic-pierce"});
     const json path = text::parse_json<json>(read("ring.path.json"));
     for (std::size_t contour = 1; contour < path["paths"].size(); ++contour) {
@@ -150,7 +150,7 @@ TEST_F(LeaningJet, AMovingPierceTakesItsTimeOnTheLead) {
     }
 }
 
-TEST_F(LeaningJet, WhatIsNotKnownIsAskedFor) {
+TEST_F(TiltedJet, RejectsOptionsWithoutMaterial) {
     write("part.svg", "<svg width='9mm' height='9mm' viewBox='0 0 9 9'><rect width='5' height='3'/></svg>");
     const std::vector<std::string> plain{"part.svg", "--speed", "300", "--kerf", "0.8"};
     const auto rejected = [&](const std::string& option, const std::string& reason) {

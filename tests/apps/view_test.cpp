@@ -58,7 +58,7 @@ class ViewOutput : public Apps {
 
 const std::string kPageFile = "<html>before<!-- run -->behind</html>\n";
 
-TEST_F(ViewOutput, HasTheRunItsSourceAndItsReport) {
+TEST_F(ViewOutput, HasRunSourceAndReport) {
     install(kPageFile);
     const Ended ended = view({"--quiet", "--view", "out.html", write("part.nc", kPart)});
     ASSERT_EQ(ended.status, 0) << ended.err;
@@ -75,7 +75,7 @@ TEST_F(ViewOutput, HasTheRunItsSourceAndItsReport) {
     EXPECT_EQ(report->header["report"]["status"], "completed");
 }
 
-TEST_F(ViewOutput, OfAProgramFromAPipeHasNoSource) {
+TEST_F(ViewOutput, HasNoSourceForProgramFromPipe) {
     install(kPageFile);
     write("stdin", "G0 X999\n");  // which is another program
     const Ended ended = view({"--quiet", "--view", "out.html", "-"}, kPart);
@@ -85,7 +85,7 @@ TEST_F(ViewOutput, OfAProgramFromAPipeHasNoSource) {
     EXPECT_EQ(find(all, "source"), nullptr);
 }
 
-TEST_F(ViewOutput, HasSourcesThatAreLong) {
+TEST_F(ViewOutput, HasLongSource) {
     install(kPageFile);
     std::string part = "G21 G90\n";
     while (part.size() < 5'000'000) part += "(A REMARK THAT MAKES THE PROGRAM LONGER)\n";
@@ -98,7 +98,7 @@ TEST_F(ViewOutput, HasSourcesThatAreLong) {
     EXPECT_EQ(source->columns.at("text").size(), part.size());
 }
 
-TEST_F(ViewOutput, IsNoFileThatRobotsWriteOrRead) {
+TEST_F(ViewOutput, RejectsFileOfRobot) {
     install(kPageFile);
     write("robots.toml", "[[robot]]\nname = \"left\"\nmachine = \"left.toml\"\n");
     write("cell.lua",
@@ -116,7 +116,7 @@ TEST_F(ViewOutput, IsNoFileThatRobotsWriteOrRead) {
     EXPECT_TRUE(contains(over_moves.err, "moves.left.jsonl")) << over_moves.err;
 }
 
-TEST_F(ViewOutput, TwiceIsTheSame) {
+TEST_F(ViewOutput, IsSameForRepeatedRun) {
     install(kPageFile);
     const std::string part = write("part.nc", kPart);
     EXPECT_EQ(view({"--quiet", "--view", "one.html", part}).status, 0);
@@ -124,7 +124,7 @@ TEST_F(ViewOutput, TwiceIsTheSame) {
     EXPECT_EQ(read("one.html"), read("other.html"));
 }
 
-TEST_F(ViewOutput, WithoutThePageSaysHowToMakeIt) {
+TEST_F(ViewOutput, ReportsHowToBuildMissingPage) {
     install(kPageFile);
     fs::remove_all(folder_ / "here/share");
     const Ended ended = view({"--view", "out.html", write("part.nc", kPart)});
@@ -134,28 +134,28 @@ TEST_F(ViewOutput, WithoutThePageSaysHowToMakeIt) {
     EXPECT_FALSE(exists("out.html"));
 }
 
-TEST_F(ViewOutput, APageWithoutAPlaceForARunIsNone) {
+TEST_F(ViewOutput, RejectsPageWithoutPlaceholder) {
     install("<html></html>\n");
     const Ended ended = view({"--view", "out.html", write("part.nc", kPart)});
     EXPECT_EQ(ended.status, 2);
     EXPECT_TRUE(contains(ended.err, "has no placeholder for a run")) << ended.err;
 }
 
-TEST_F(ViewOutput, NothingIsLeftOfAProgramThatIsRefused) {
+TEST_F(ViewOutput, LeavesNoFileForRejectedProgram) {
     install(kPageFile);
     const Ended ended = view({"--quiet", "--view", "out.html", write("part.nc", "G999\n")});
     EXPECT_EQ(ended.status, 1);
     EXPECT_FALSE(exists("out.html"));
 }
 
-TEST_F(ViewOutput, AFullDiskIsTold) {
+TEST_F(ViewOutput, ReportsFullDisk) {
     install(kPageFile);
     const Ended ended = view({"--quiet", "--view", "/dev/full", write("part.nc", kPart)});
     EXPECT_EQ(ended.status, 2);
     EXPECT_TRUE(contains(ended.err, "No space left on device")) << ended.err;
 }
 
-TEST_F(ViewOutput, OfSeveralRobotsIsOnePage) {
+TEST_F(ViewOutput, HasAllRobotsOnOnePage) {
     install(kPageFile);
     write("robots.toml",
           "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\nbase = { x_mm = 9000.0 }\n");

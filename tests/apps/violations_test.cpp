@@ -26,7 +26,7 @@ class Violations : public Apps {
     }
 };
 
-TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
+TEST_F(Violations, OneRunReportsViolationAndSuggestedFix) {
     const json r = report({"--machine", kRouter, write("off.nc", kOutsideProgram)}, 1);
     EXPECT_EQ(r["status"], "violations");
     EXPECT_TRUE(r["alarm"].is_null());
@@ -45,7 +45,7 @@ TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
     EXPECT_EQ(report({"--machine", kRouter, "--stop-at-first", "off.nc"}, 1)["status"], "alarm");
 }
 
-TEST_F(Violations, TheRemedyIsTrue) {
+TEST_F(Violations, SuggestedFixRemovesViolation) {
     write("off.nc", kOutsideProgram);
     const json moved =
         report({"--machine", kRouter, "--dialect", "rs274ngc", "--variables", write("v.var", "5221 0.1\n"),
@@ -59,7 +59,7 @@ TEST_F(Violations, TheRemedyIsTrue) {
     EXPECT_EQ(repeated.status, 0) << repeated.out;
 }
 
-TEST_F(Violations, NoRemedyWhereTheShiftWouldBreakAnotherThing) {
+TEST_F(Violations, NoFixIfShiftCausesOtherViolation) {
     // The part is as wide as the range, moves in machine coordinates do not shift, G92 refers to the
     // machine's position.
     for (const char* program : {"G0 X-5\nG0 X600\nM30\n", "G53 G0 X-5\nM30\n", "G90 G0 X-5\nX599\nM30\n",
@@ -70,7 +70,7 @@ TEST_F(Violations, NoRemedyWhereTheShiftWouldBreakAnotherThing) {
     }
 }
 
-TEST_F(Violations, MovesAreMarked) {
+TEST_F(Violations, AreMarkedInMoves) {
     write("off.nc", kOutsideProgram);
     gsim_run({"--machine", kRouter, "--moves", "m.jsonl", "off.nc"});
     const std::string moves = read("m.jsonl");
@@ -79,7 +79,7 @@ TEST_F(Violations, MovesAreMarked) {
     EXPECT_EQ(moves.find("beyond"), moves.rfind("beyond"));
 }
 
-TEST_F(Violations, CheckTellsThemToo) {
+TEST_F(Violations, CheckReportsThem) {
     write("off.nc", kOutsideProgram);
     write("jet.nc", "M8\nG1 X10 F1000\nG0 X20\nM9\nM30\n");
     const Ended off = check({"--machine", kRouter, "off.nc"});
@@ -94,7 +94,7 @@ TEST_F(Violations, CheckTellsThemToo) {
     EXPECT_TRUE(contains(gsim_run({"jet.nc"}).out, "warning: jet.nc:3: a rapid move with the jet on\n"));
 }
 
-TEST_F(Violations, RobotsAreTold) {
+TEST_F(Violations, AreReportedForRobots) {
     write("robots.toml", "[[robot]]\nname = \"left\"\nmachine = \"" + kRouter + "\"\n");
     const Ended e = gsim_run({"--robots", "robots.toml", write("p.lua", "G0{x=-5} G0{x=10}"), "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
@@ -104,7 +104,7 @@ TEST_F(Violations, RobotsAreTold) {
     EXPECT_EQ(r["robots"][0]["violations"][0]["amount"], 5);
 }
 
-TEST_F(Violations, WordsThatNoDialectHasAreRefusedAtOnce) {
+TEST_F(Violations, RejectsProcessWordsOfNoDialect) {
     const auto machine = [&](const std::string& on) {
         std::string text = gsim_run({"--print-machine"}).out;
         const std::size_t at = text.find("on = [\"M8\"]");
@@ -122,7 +122,7 @@ TEST_F(Violations, WordsThatNoDialectHasAreRefusedAtOnce) {
     EXPECT_EQ(error("\"M8\", \"M3\", \"M62 P0\", \"M101\""), "");
 }
 
-TEST_F(Violations, TheJetOfAnRs274ngcProgramHasItsLength) {
+TEST_F(Violations, ReportsProcessLengthOfRs274ngcProgram) {
     const std::string program = "G21\nG0 X10\nM8\nG1 X60 F1000\nM9\nG0 X0\nM2\n";
     EXPECT_EQ(report({"--dialect", "rs274ngc", write("p.ngc", program)}, 0)["length"]["process_on_mm"], 50);
 }

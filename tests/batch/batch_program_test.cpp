@@ -57,7 +57,7 @@ double time_s(double distance_mm, double feed_mm_s = 10, double acceleration_mm_
     return distance_mm / feed_mm_s + feed_mm_s / acceleration_mm_s2;
 }
 
-TEST_F(BatchProgram, HasWhatEachRunComesToByItself) {
+TEST_F(BatchProgram, ResultsMatchSingleRuns) {
     write("m.toml", kSlide);
     write_programs(12);
     const Ended first = batch({"--machine", "m.toml", ".", "--csv", "runs.csv", "--reports"});
@@ -80,7 +80,7 @@ TEST_F(BatchProgram, HasWhatEachRunComesToByItself) {
     EXPECT_THAT(read("runs.csv"), HasSubstr("job,program,machine"));
 }
 
-TEST_F(BatchProgram, RunsNothingTwiceAndWhatHasChangedAlone) {
+TEST_F(BatchProgram, RunsOnlyChangedJobs) {
     write("m.toml", kSlide);
     write_programs(6);
     write("o100.ngc", "o<o100> sub\nG1 X5\no<o100> endsub\n");
@@ -102,7 +102,7 @@ TEST_F(BatchProgram, RunsNothingTwiceAndWhatHasChangedAlone) {
     EXPECT_EQ(number("SELECT count(*) FROM run"), 12);
 }
 
-TEST_F(BatchProgram, SettingsChangeMachineDataAndOptions) {
+TEST_F(BatchProgram, SettingsChangeMachineAndOptions) {
     write("m.toml", kSlide);
     write_programs(1);
     write("plan.toml", R"(programs = "p0.ngc"
@@ -130,7 +130,7 @@ values = [50, 100]
 }
 
 // Settings reach the built-in machine; the cell names another machine, which is another setting.
-TEST_F(BatchProgram, SettingsReachTheMachineOfTheCellAndTheOneBuiltIn) {
+TEST_F(BatchProgram, SettingsReachMachineOfCell) {
     write("m.toml", kSlide);
     std::string fast = kSlide;
     fast.replace(fast.find("s2 = 1000.0"), 11, "s2 = 2000.0");
@@ -160,7 +160,7 @@ scale = true
 }
 
 // Two variants that are one, and programs that are named twice.
-TEST_F(BatchProgram, TheSameJobIsRunOnceWithinABatch) {
+TEST_F(BatchProgram, RunsSameJobOnceInBatch) {
     write("m.toml", kSlide);
     write_programs(1);
     write("plan.toml", R"(programs = ["p0.ngc", "*.ngc"]
@@ -175,14 +175,14 @@ values = [50, 50, 100]
 }
 
 // A module has no controller of ours, and runs in a separate process.
-TEST_F(BatchProgram, AModuleMayPlan) {
+TEST_F(BatchProgram, SupportsControllerModule) {
     write_programs(1);
     write("plan.toml",
           "programs = \"p0.ngc\"\n[options]\ndialect = \"rs274ngc\"\nmodule = \"gsim_rcs_default\"\n");
     EXPECT_EQ(batch({"plan.toml"}).status, 0) << batch({}).out;
 }
 
-TEST_F(BatchProgram, WhatIsWrongWithAProgramIsOneRow) {
+TEST_F(BatchProgram, ReportsErrorOfEachProgramInOneRow) {
     write("m.toml", kSlide);
     write("good.ngc", "G21 F600\nG1 X10\nM2\n");
     write("far.ngc", "G21 F600\nG1 X5000\nM2\n");
@@ -210,7 +210,7 @@ TEST_F(BatchProgram, WhatIsWrongWithAProgramIsOneRow) {
 }
 
 // Two nights, with an edit in between that breaks a program and one that mends another.
-TEST_F(BatchProgram, WritesPagesOfANightlyCheck) {
+TEST_F(BatchProgram, WritesPagesOfNightlyCheck) {
     write("m.toml", kSlide);
     write("a<1>.ngc", "G21 F600\nG1 X10\nM2\n");
     write("b.ngc", "G21 F600\nG1 X5000\nM2\n");
@@ -236,7 +236,7 @@ TEST_F(BatchProgram, WritesPagesOfANightlyCheck) {
     EXPECT_THAT(unwritable.err, HasSubstr("m.toml/site"));
 }
 
-TEST_F(BatchProgram, PagesHaveTheFinishedRunOfWhatFails) {
+TEST_F(BatchProgram, PagesHaveViewOfFailedRun) {
     if (!std::filesystem::exists(std::filesystem::path(tests::program_path("gsim-batch")).parent_path() /
                                  "../share/gsim/studio/view.html"))
         GTEST_SKIP() << "this build has no page of the studio";
@@ -254,7 +254,7 @@ TEST_F(BatchProgram, PagesHaveTheFinishedRunOfWhatFails) {
 
 // The batch is killed in its middle, as by a power cut: existing results stay, and the same command
 // continues.
-TEST_F(BatchProgram, GoesOnWhereItWasCutOff) {
+TEST_F(BatchProgram, ResumesAfterInterruption) {
     write("m.toml", kSlide);
     write_programs(3);
     write("plan.toml", R"(programs = ["p0.ngc", "p1.ngc", "p2.ngc"]
@@ -292,7 +292,7 @@ steps = 1000
     EXPECT_THAT(batch({"plan.toml"}).err, HasSubstr("0 run"));
 }
 
-TEST_F(BatchProgram, KeepsPicturesAndShowsThem) {
+TEST_F(BatchProgram, KeepsAndShowsPictures) {
     write("m.toml", kSlide);
     write_programs(2);
     if (std::system("gnuplot --version > /dev/null 2>&1") != 0) {
@@ -311,7 +311,7 @@ TEST_F(BatchProgram, KeepsPicturesAndShowsThem) {
     EXPECT_THAT(pages, HasSubstr("src=\"data:image/svg+xml;base64,"));
 }
 
-TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {
+TEST_F(BatchProgram, RejectsInvalidInputs) {
     write("plan.toml", "programs = 1\n");
     EXPECT_EQ(batch({"plan.toml"}).status, 2);
     EXPECT_EQ(batch({"none.ngc"}).status, 2);
@@ -329,7 +329,7 @@ TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {
 }
 
 #ifndef GSIM_SANITIZED  // which reserves all available addresses
-TEST_F(BatchProgram, MemoryIsBounded) {
+TEST_F(BatchProgram, LimitsMemory) {
     write("good.ngc", "G21 F600\nG1 X10\nM2\n");
     write("m.toml", kSlide);
     // Numbers of a list that grows, in a script.

@@ -21,7 +21,7 @@ std::vector<Setting> two_uniform() {
             {.keys = {"machine.b"}, .domain = Uniform{-3, 5}}};
 }
 
-TEST(Design, GridHasEachValueOfOneWithEachOfTheOthers) {
+TEST(Design, GridHasEachCombination) {
     const Design design({{.keys = {"machine.a"}, .domain = Choices{{1, 2, 3}}},
                          {.keys = {"option.dialect"}, .domain = Choices{{"ab9", "rs274ngc"}}}},
                         {});
@@ -34,7 +34,7 @@ TEST(Design, GridHasEachValueOfOneWithEachOfTheOthers) {
     EXPECT_EQ(Design({}, {}).size(), 1U) << "nothing to change is one variant";
 }
 
-TEST(Design, LatinHypercubeHasOneValueInEachPart) {
+TEST(Design, LatinHypercubeHasOneValuePerInterval) {
     constexpr std::uint64_t kRuns = 97;
     const Design design(two_uniform(), {.sampling = Sampling::latin_hypercube, .runs = kRuns, .seed = 5});
     for (const std::size_t setting : {0U, 1U}) {
@@ -50,7 +50,7 @@ TEST(Design, LatinHypercubeHasOneValueInEachPart) {
 }
 
 // The mean of a smooth function comes much nearer than by lot: Owen 1998.
-TEST(Design, SobolIsMoreEvenThanLot) {
+TEST(Design, SobolIsMoreEvenThanRandom) {
     const auto worst = [](Sampling sampling) {
         double max = 0;
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -68,7 +68,7 @@ TEST(Design, SobolIsMoreEvenThanLot) {
     EXPECT_GT(worst(Sampling::random), 0.01);
 }
 
-TEST(Design, IsTheSameForTheSameSeedAlone) {
+TEST(Design, IsSameOnlyForSameSeed) {
     for (const Sampling sampling : {Sampling::random, Sampling::latin_hypercube, Sampling::sobol}) {
         const auto with_seed = [&](std::uint64_t seed) {
             return values(Design(two_uniform(), {.sampling = sampling, .runs = 16, .seed = seed}), 1);
@@ -78,7 +78,7 @@ TEST(Design, IsTheSameForTheSameSeedAlone) {
     }
 }
 
-TEST(Domain, HasTheQuantilesOfItsDistribution) {
+TEST(Domain, HasQuantilesOfItsDistribution) {
     EXPECT_NEAR(value_at(Normal{10, 2}, 0.975).get<double>(), 10 + 2 * 1.959963984540054, 1e-9);
     EXPECT_NEAR(value_at(Normal{10, 2}, 0.5).get<double>(), 10, 1e-12);
     EXPECT_TRUE(std::isfinite(value_at(Normal{10, 2}, 0).get<double>()));

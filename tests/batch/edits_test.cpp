@@ -30,7 +30,7 @@ std::string edited(const std::string& key, const nlohmann::json& value, SettingU
     return text ? *text : "error: " + text.error().message;
 }
 
-TEST(EditedToml, FindsElementsByWhatTheyAreCalled) {
+TEST(EditedToml, FindsElementsByName) {
     EXPECT_THAT(edited("axis.Y.max_speed_mm_s", 75), HasSubstr("max_speed_mm_s = 75\n"));
     EXPECT_THAT(edited("axis.0.max_speed_mm_s", 75), HasSubstr("max_speed_mm_s = 75.0\n"));
     EXPECT_THAT(edited("mass.Y.mass_kg", 9.5), HasSubstr("mass_kg = 9.5\n"));
@@ -44,7 +44,7 @@ TEST(EditedToml, FindsElementsByWhatTheyAreCalled) {
     EXPECT_THAT(edited("controller.model", "ab9"), HasSubstr("[controller]\nmodel = \"ab9\"\n"));
 }
 
-TEST(EditedToml, SaysWhatIsNotThere) {
+TEST(EditedToml, ReportsMissingKeysAndNumbers) {
     EXPECT_THAT(edited("axis.Q.max_speed_mm_s", 75),
                 HasSubstr("m.toml: 'axis.Q.max_speed_mm_s': 'Q' does not exist"));
     EXPECT_THAT(edited("axis.7.max_speed_mm_s", 75),
@@ -58,7 +58,7 @@ TEST(EditedToml, SaysWhatIsNotThere) {
                 HasSubstr("a factor requires a number in the file"));
 }
 
-TEST(EditedData, ChangesAnEntry) {
+TEST(EditedData, ChangesValuesOfEntry) {
     const std::string data = "NCFILE\nOFFSET\n54 100 200 0\nENDFILE\n";
     const std::vector<SettingValue> settings{{"OFFSET.54.X", 101.5}, {"OFFSET.54.Z", -3}};
     const auto text = edit_data(data, "d.txt", settings);
@@ -69,7 +69,7 @@ TEST(EditedData, ChangesAnEntry) {
     EXPECT_FALSE(edit_data(data, "d.txt", {&none, 1}));
 }
 
-TEST(SettingKey, IsOfAFileOrOfTheRun) {
+TEST(SettingKey, RejectsInvalidNames) {
     EXPECT_FALSE(find_key_name_error("machine.axis.X.max_mm"));
     EXPECT_FALSE(find_key_name_error("data.OFFSET.54.X"));
     EXPECT_THAT(find_key_name_error("axis.X.max_mm").value().message,

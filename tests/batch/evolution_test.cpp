@@ -70,7 +70,7 @@ double rosenbrock(const VectorXd& point) {
 
 // Hansen and Ostermeier 2001, figure 3: to 1e-10 in 10 dimensions some 2,000 trials on the sphere, 6,000 on
 // the ellipsoid and the function of Rosenbrock. Here to 1e-6, as the step ends at 1e-5 of the box.
-TEST(Evolution, TakesAsManyTrialsAsPublished) {
+TEST(Evolution, StaysWithinPublishedTrials) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         EXPECT_LT(minimize(sphere, 10, 1e-6, 2'000, seed).value, 1e-6) << seed;
         EXPECT_LT(minimize(ellipsoid, 10, 1e-3, 7'000, seed).value, 1e-3) << seed;
@@ -80,7 +80,7 @@ TEST(Evolution, TakesAsManyTrialsAsPublished) {
     }
 }
 
-TEST(Evolution, FindsWhatLiesAtTheEdge) {
+TEST(Evolution, FindsMinimumAtEdge) {
     const Function corner = [](const VectorXd& point) { return point[0] - point[1] + 0.1 * point[2]; };
     const Found found = minimize(corner, 3, -1 + 1e-4, 2'000, 1, 0.5);
     EXPECT_NEAR(found.point[0], 0, 1e-3);
@@ -92,7 +92,7 @@ TEST(Evolution, WorksInOneDimension) {
     EXPECT_NEAR(minimize(function, 1, 1e-5, 500, 1).point[0], 0.123, 1e-4);
 }
 
-TEST(Evolution, EndsWhereNothingChanges) {
+TEST(Evolution, ConvergesIfShortStepsAreBest) {
     Evolution evolution(VectorXd::Constant(2, 0.5), 0.3, 8, Random(1));
     std::vector<std::size_t> places(8);
     std::iota(places.begin(), places.end(), std::size_t{0});
@@ -107,7 +107,7 @@ TEST(Evolution, EndsWhereNothingChanges) {
     EXPECT_TRUE(evolution.has_converged());
 }
 
-TEST(Evolution, TheSameSeedTriesTheSame) {
+TEST(Evolution, SameSeedGivesSameTrials) {
     for (const std::uint64_t other : {7U, 8U}) {
         Evolution one(VectorXd::Constant(4, 0.5), 0.3, 0, Random(7)),
             two = Evolution(VectorXd::Constant(4, 0.5), 0.3, 0, Random(other));

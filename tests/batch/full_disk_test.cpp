@@ -69,7 +69,7 @@ class FullDisk : public apps::Apps {
 
 const std::string kWords = "--machine m.toml p.ngc p1.ngc p2.ngc --reports --results r.sqlite";
 
-TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
+TEST_F(FullDisk, IsReportedAndNextRunCompletes) {
     const std::vector<std::string> good = {"--machine", "m.toml",    "p.ngc",     "p1.ngc",
                                            "p2.ngc",    "--reports", "--results", "clean.sqlite"};
     ASSERT_EQ(batch(good).status, 0);
@@ -93,7 +93,7 @@ TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
 }
 
 // Existing rows stay, whatever comes after them.
-TEST_F(FullDisk, KeepsTheRowsThatAreThere) {
+TEST_F(FullDisk, KeepsExistingRows) {
     ASSERT_EQ(batch({"--machine", "m.toml", "p.ngc", "--results", "r.sqlite"}).status, 0);
     const auto before = rows("r.sqlite");
     ASSERT_EQ(within(kStep_kib, tests::program_path("gsim-batch"), kWords).status, 2);
@@ -102,7 +102,7 @@ TEST_F(FullDisk, KeepsTheRowsThatAreThere) {
     EXPECT_THAT(next.err, HasSubstr("1 run in")) << "the first one is there already";
 }
 
-TEST_F(FullDisk, LeavesOutputsAsTheyWere) {
+TEST_F(FullDisk, KeepsOldOutputs) {
     ASSERT_EQ(batch({"--machine", "m.toml", "p.ngc", "--results", "r.sqlite"}).status, 0);
     for (const char* option :
          {"--csv", "--json-lines", "--junit", "--sarif", "--statistics-json", "--page"}) {
@@ -120,7 +120,7 @@ TEST_F(FullDisk, LeavesOutputsAsTheyWere) {
 }
 
 // A log on a full disk ends no batch, and an error remains one.
-TEST_F(FullDisk, OfStandardErrorEndsNothing) {
+TEST_F(FullDisk, OnStandardErrorIsIgnored) {
     write("search.toml", kOverride);
     const auto unheard = [&](const std::string& words) {
         return apps::run_program("/bin/bash", {"-c", words + " 2>/dev/full"}, folder_).status;
@@ -136,7 +136,7 @@ TEST_F(FullDisk, OfStandardErrorEndsNothing) {
     EXPECT_EQ(unheard(optimise + "none.toml"), 2);
 }
 
-TEST_F(FullDisk, ASearchGoesOn) {
+TEST_F(FullDisk, NextSearchCompletes) {
     write("search.toml", kOverride);
     const auto search = [&](int room_kib, const std::string& file) {
         return within(

@@ -28,12 +28,12 @@ class Inputs : public testing::Test {
 };
 
 // FIPS 180-4, by the examples that NIST publishes.
-TEST(Sha256, IsThatOfTheStandard) {
+TEST(Sha256, MatchesStandardExamples) {
     EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
-TEST_F(Inputs, AFileThatIsChangedIsReadAgain) {
+TEST_F(Inputs, RereadChangedFile) {
     const std::string name = write("one");
     ASSERT_NE(files_.get(name), nullptr);
     EXPECT_EQ(files_.get(name)->bytes, "one");
@@ -46,14 +46,14 @@ TEST_F(Inputs, AFileThatIsChangedIsReadAgain) {
     EXPECT_EQ(files_.file_hash(name), "");
 }
 
-TEST_F(Inputs, WhatIsNoFileIsNotThere) {
+TEST_F(Inputs, ReturnNothingForNonRegularFiles) {
     EXPECT_EQ(files_.get(folder_.string()), nullptr);
     EXPECT_EQ(files_.file_hash("/dev/zero"), "");
     EXPECT_EQ(files_.get(""), nullptr);
 }
 
 // More bytes than are kept: all of them come back as they are.
-TEST_F(Inputs, ManyLargeFilesAreReadAgainWhereTheyWereForgotten) {
+TEST_F(Inputs, RereadLargeFilesBeyondCacheSize) {
     const std::string large(std::size_t{24} << 20U, 'x');
     std::vector<std::string> names;
     for (const char letter : {'b', 'c', 'd', 'e'}) {

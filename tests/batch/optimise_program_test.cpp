@@ -58,7 +58,7 @@ double slide_s(double percent) {
     return 20 / feed_mm_s + feed_mm_s / 1000;
 }
 
-TEST_F(OptimiseProgram, FindsTheEndOfARangeAndALimit) {
+TEST_F(OptimiseProgram, FindsOptimumAtRangeEndAndLimit) {
     write_slide();
     write("plan.toml", kOverride);
     const Ended ended = optimise({"plan.toml", "--json", "found.json", "--page", "found.html"});
@@ -81,7 +81,7 @@ TEST_F(OptimiseProgram, FindsTheEndOfARangeAndALimit) {
 }
 
 // More of a figure may be better: the greatest time is at the slow end.
-TEST_F(OptimiseProgram, AWeightBelowZeroLooksForMore) {
+TEST_F(OptimiseProgram, NegativeWeightMaximizes) {
     write_slide();
     std::string plan = kOverride;
     write("plan.toml", plan.replace(plan.find("_s = 1"), 6, "_s = -1"));
@@ -89,7 +89,7 @@ TEST_F(OptimiseProgram, AWeightBelowZeroLooksForMore) {
     EXPECT_NEAR(found()["best"]["value"], -slide_s(50), 0.05);
 }
 
-TEST_F(OptimiseProgram, GoesOnWhereItWasCutOff) {
+TEST_F(OptimiseProgram, ResumesAfterInterruption) {
     write_slide();
     write("plan.toml", kOverride);
     const std::vector<std::string> words{"plan.toml", "--variants", "600", "-q"};
@@ -138,7 +138,7 @@ std::string slots() {
     return json{{"name", "slots"}, {"root", "all"}, {"paths", paths}}.dump();
 }
 
-TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
+TEST_F(OptimiseProgram, FindsBestOrderOfExhaustiveSearch) {
     write("slots.path.json", slots());
     const std::string head =
         "programs = \"slots.path.json\"\nmachines = [\"router3\"]\n"
@@ -170,7 +170,7 @@ TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
 
 // On the thesis's gantry, the plate with its clamps and the program are placed where the rotary axes' limits
 // cost least. No body comes nearer than the cell permits.
-TEST_F(OptimiseProgram, PlacesTheWheel) {
+TEST_F(OptimiseProgram, ImprovesWheelPlacement) {
 #ifdef GSIM_SANITIZED
     GTEST_SKIP() << "bodies are looked at ten times as long there";
 #endif
@@ -196,7 +196,7 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
 }
 
 // Written files are in another folder, and mean the same there; values that look like names of files stay.
-TEST_F(OptimiseProgram, WritesFilesThatMayLieElsewhere) {
+TEST_F(OptimiseProgram, WritesRelocatableFiles) {
     write_slide();
     write("slide", "");
     write("linear", "");
@@ -228,7 +228,7 @@ to = 2000
 }
 
 // Somebody else uses the same results meanwhile.
-TEST_F(OptimiseProgram, WaitsForOthersAtItsResults) {
+TEST_F(OptimiseProgram, WaitsForOtherWritersOfResults) {
     write_slide();
     write("plan.toml", kOverride);
     const auto child = os::spawn({"/bin/sh", "-c",
@@ -246,7 +246,7 @@ TEST_F(OptimiseProgram, WaitsForOthersAtItsResults) {
     EXPECT_EQ(number("SELECT count(DISTINCT number) FROM evaluations"), 201);
 }
 
-TEST_F(OptimiseProgram, SaysThatNothingIsAllowed) {
+TEST_F(OptimiseProgram, ReportsNoFeasibleVariant) {
     write_slide();
     write("plan.toml", std::string(kOverride) + "[[limit]]\nmetric = \"cycle_time_s\"\nmax = 0.1\n");
     const Ended ended = optimise({"plan.toml", "--variants", "10"});
@@ -256,7 +256,7 @@ TEST_F(OptimiseProgram, SaysThatNothingIsAllowed) {
     EXPECT_THAT(optimise({"plan.toml", "--variants", "10"}).err, HasSubstr("p.ngc: "));
 }
 
-TEST_F(OptimiseProgram, RefusesWhatItIsToldWrongly) {
+TEST_F(OptimiseProgram, RejectsInvalidInputs) {
     write_slide();
     write("plan.toml", kOverride);
     EXPECT_THAT(optimise({}).err, HasSubstr("name a plan"));

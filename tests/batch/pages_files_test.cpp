@@ -13,14 +13,14 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(Pages, KeepTheirNames) {
+TEST_F(Pages, HaveStableNames) {
     EXPECT_EQ(page_name("mill/dome.nc"), page_name("mill/dome.nc"));
     EXPECT_THAT(page_name("mill/dome.nc"), testing::MatchesRegex("mill-dome-nc-[0-9a-f]{16}\\.html"));
     EXPECT_NE(page_name("mill/dome.nc"), page_name("mill-dome.nc"));
     EXPECT_THAT(page_name(""), testing::StartsWith("program-"));
 }
 
-TEST_F(Pages, AreTheSameBytesAndUntouchedWhereNothingHasChanged) {
+TEST_F(Pages, AreUntouchedIfNothingChanged) {
     batch({{.program = "a.nc"}, {.program = "b.nc", .cause = "feed"}});
     write_and_read();
     std::map<std::string, std::pair<std::string, fs::file_time_type>> before;
@@ -33,7 +33,7 @@ TEST_F(Pages, AreTheSameBytesAndUntouchedWhereNothingHasChanged) {
     }
 }
 
-TEST_F(Pages, OfProgramsThatAreGoneGoAndFilesOfOthersStay) {
+TEST_F(Pages, AreRemovedWithProgramButOtherFilesStay) {
     batch({{.program = "a.nc"}, {.program = "b.nc"}});
     write_and_read();
     fs::copy_file(site_ / page_name("b.nc"), site_ / "kept.html");
@@ -48,7 +48,7 @@ TEST_F(Pages, OfProgramsThatAreGoneGoAndFilesOfOthersStay) {
         EXPECT_TRUE(fs::exists(site_ / name)) << name;
 }
 
-TEST_F(Pages, AreNotWrittenOverFilesOfOthers) {
+TEST_F(Pages, DoNotOverwriteOtherFiles) {
     batch({{.program = "a.nc"}});
     fs::create_directory(site_);
     std::ofstream(site_ / "index.html") << "my front page";
@@ -61,7 +61,7 @@ TEST_F(Pages, AreNotWrittenOverFilesOfOthers) {
     EXPECT_THAT(write().error().message, HasSubstr("cannot write"));
 }
 
-TEST_F(Pages, NeedAFolderAndABatch) {
+TEST_F(Pages, NeedFolderAndBatch) {
     auto results = Results::open(file_);
     auto empty = Database::open(file_, true);
     EXPECT_THAT(write_pages(*empty, {.folder = site_.string()}).error().message,
@@ -74,7 +74,7 @@ TEST_F(Pages, NeedAFolderAndABatch) {
 }
 
 // In a file of results that machines share, a writer waits for readers that have not finished.
-TEST_F(Pages, LeaveNothingOpenBehindThem) {
+TEST_F(Pages, LeaveResultsUnlocked) {
     batch({{.program = "a.nc"}});
     ASSERT_TRUE(Results::open(file_, Journal::rollback));
     auto reader = Database::open(file_, true);

@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST_F(Pages, TellWhatHasChanged) {
+TEST_F(Pages, ReportChanges) {
     batch({{.program = "good.nc"},
            {.program = "breaks.nc"},
            {.program = "mended.nc", .cause = "feed"},
@@ -49,7 +49,7 @@ TEST_F(Pages, TellWhatHasChanged) {
     EXPECT_FALSE(pages_.contains(page_name("gone.nc")));
 }
 
-TEST_F(Pages, TellWhatFailsByItsCause) {
+TEST_F(Pages, GroupFailuresByCause) {
     batch({{.program = "a.nc", .cause = "feed"},
            {.program = "b.nc", .cause = "axis-limit"},
            {.program = "c.nc", .cause = "axis-limit"},
@@ -66,7 +66,7 @@ TEST_F(Pages, TellWhatFailsByItsCause) {
     EXPECT_THAT(words_of_page("b.nc"), HasSubstr("b.nc:7 error : too far  [axis-limit]"));
 }
 
-TEST_F(Pages, SayWhyARunIsAnotherOne) {
+TEST_F(Pages, ReportReasonForNewRun) {
     batch({{.program = "a.nc",
             .files = {{"a.nc", "1"},
                       {"m.toml", "2"},
@@ -96,7 +96,7 @@ TEST_F(Pages, SayWhyARunIsAnotherOne) {
 }
 
 // If a remark was added above, the same finding is on another line.
-TEST_F(Pages, DoNotTakeAnotherLineForAnotherFinding) {
+TEST_F(Pages, MatchSameFindingOnOtherLine) {
     batch({{.program = "a.nc", .cause = "feed"}});
     batch({{.program = "a.nc", .cause = "feed", .program_sha256 = "3"}});
     write_and_read();
@@ -106,7 +106,7 @@ TEST_F(Pages, DoNotTakeAnotherLineForAnotherFinding) {
     EXPECT_EQ(rows_below("findings").size(), 1U);
 }
 
-TEST_F(Pages, CompareWithTheBatchThatIsAskedFor) {
+TEST_F(Pages, CompareWithRequestedBatch) {
     batch({{.program = "a.nc", .time_s = 10}});
     batch({{.program = "a.nc", .time_s = 20}});
     batch({{.program = "a.nc", .time_s = 20}});
@@ -118,7 +118,7 @@ TEST_F(Pages, CompareWithTheBatchThatIsAskedFor) {
     EXPECT_THAT(write(-1).error().message, HasSubstr("no batch -1"));
 }
 
-TEST_F(Pages, HaveTheHistoryOfAProgram) {
+TEST_F(Pages, HaveHistoryOfProgram) {
     batch({{.program = "a.nc", .time_s = 10}});
     batch({{.program = "a.nc", .time_s = 10}});
     batch({{.program = "b.nc"}});
@@ -137,7 +137,7 @@ TEST_F(Pages, HaveTheHistoryOfAProgram) {
     EXPECT_THAT(words, HasSubstr("+2 s (+20 %)"));
 }
 
-TEST_F(Pages, SayThatABatchIsNotWhole) {
+TEST_F(Pages, ReportIncompleteBatch) {
     batch({{.program = "a.nc"}, {.program = "b.nc"}});
     batch({{.program = "a.nc"}}, false, "other.toml");
     write_and_read();
@@ -147,7 +147,7 @@ TEST_F(Pages, SayThatABatchIsNotWhole) {
     EXPECT_THAT(words, HasSubstr("That batch used another plan: plan.toml."));
 }
 
-TEST_F(Pages, TakeNamesOfAnyKind) {
+TEST_F(Pages, AcceptAnyName) {
     const std::vector<std::string> names{"a<b>&\"c'.nc",
                                          "../x.nc",
                                          "/etc/passwd",
@@ -184,7 +184,7 @@ TEST_F(Pages, TakeNamesOfAnyKind) {
     EXPECT_EQ(page_words(pages_.at(page_name("\u202egnp.nc")).select_node("//h1").node()), "\\u202egnp.nc");
 }
 
-TEST_F(Pages, OfManyRunsAreInParts) {
+TEST_F(Pages, AreSplitForManyRuns) {
     std::vector<Told> runs;
     for (int i = 0; i < 700; ++i) {
         for (const char* machine : {"m.toml", "n.toml", "o.toml"})
@@ -202,7 +202,7 @@ TEST_F(Pages, OfManyRunsAreInParts) {
 }
 
 // The failed ones of 60 variants have their details, at any position.
-TEST_F(Pages, OfManyVariantsHaveDetailsOfThoseThatFail) {
+TEST_F(Pages, HaveDetailsOfFailedVariants) {
     std::vector<Told> runs;
     for (int i = 0; i < 60; ++i)
         runs.push_back({.program = "a.nc",

@@ -38,7 +38,7 @@ class Views : public Pages {
     }
 };
 
-TEST_F(Views, AreOfWhatFailsOrHasChanged) {
+TEST_F(Views, ShowFailedAndChangedRuns) {
     const Told failing{.program = "fails.nc", .cause = "feed", .files = {file("fails.nc", "G1")}};
     batch({failing, {.program = "good.nc"}});
     write_and_read();
@@ -54,7 +54,7 @@ TEST_F(Views, AreOfWhatFailsOrHasChanged) {
     EXPECT_EQ(view_count(), 2U);
 }
 
-TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
+TEST_F(Views, AreOmittedIfRunCannotBeRepeated) {
     const ReadFile changed = file("changed.nc", "G1");
     file("changed.nc", "G0");
     batch({{.program = "changed.nc", .cause = "feed", .files = {changed}},
@@ -69,7 +69,7 @@ TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
     EXPECT_THAT(words_of_page("refused.nc"), HasSubstr("the program was not run."));
 }
 
-TEST_F(Views, GoWhenTheyAreNoLongerWantedAndOtherFilesStay) {
+TEST_F(Views, AreRemovedIfObsoleteButOtherFilesStay) {
     batch({{.program = "a.nc", .cause = "feed"}});
     write_and_read();
     const fs::path view = site_ / view_file_of("a.nc"), other = site_ / "views/run-0123456789abcdef.html";
@@ -83,7 +83,7 @@ TEST_F(Views, GoWhenTheyAreNoLongerWantedAndOtherFilesStay) {
     EXPECT_TRUE(fs::exists(site_ / "views/kept.html"));
 }
 
-TEST_F(Views, ThatCannotBeMadeSayWhy) {
+TEST_F(Views, ReportReasonIfNotCreated) {
     views_->program = (folder_ / "none").string();
     batch({{.program = "a.nc", .cause = "feed"}});
     write_and_read();

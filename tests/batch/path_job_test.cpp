@@ -32,14 +32,14 @@ Job job_in_cell(std::vector<SettingValue> settings) {
     return job;
 }
 
-TEST(PathJob, KnowsPathsByTheirNames) {
+TEST(PathJob, RecognizesPathsByName) {
     EXPECT_TRUE(is_path_file("a/b.path.json"));
     EXPECT_TRUE(is_path_file("B.PATH.LUA"));
     for (const char* name : {"a.json", "a.lua", "path.json.nc", "apath.json"})
         EXPECT_FALSE(is_path_file(name));
 }
 
-TEST(PathJob, SaysWhatKeysThereAre) {
+TEST(PathJob, ReportsInvalidKeys) {
     for (const char* key : {"place.x_mm", "place.yaw_deg", "order", "feed_mm_min", "rim.feed_mm_min"})
         EXPECT_FALSE(find_path_key_error(key)) << key;
     for (const char* key : {"place.x", "orders", "feed", ".feed_mm_min", "place"})
@@ -47,7 +47,7 @@ TEST(PathJob, SaysWhatKeysThereAre) {
 }
 
 // The position of the path changes where the axes move, not how far the tool moves while it cuts.
-TEST(PathJob, APathThatIsPlacedIsCutAsItWas) {
+TEST(PathJob, MovedPathKeepsCutLength) {
     JobRunner runner;
     const RunRow original_host = runner.run(wheel_job({}));
     ASSERT_TRUE(original_host.outcome.is_clean()) << original_host.outcome.message;
@@ -61,7 +61,7 @@ TEST(PathJob, APathThatIsPlacedIsCutAsItWas) {
     EXPECT_GT(placed.times.cycle_s, original_host.times.cycle_s) << "it is farther from home";
 }
 
-TEST(PathJob, FeedsAndOrderReachTheProgram) {
+TEST(PathJob, AppliesFeedsAndOrder) {
     JobRunner runner;
     const RunRow fast = runner.run(wheel_job({}));
     const RunRow slow = runner.run(wheel_job({{"path.feed_mm_min", 0.5, SettingUse::factor}}));
@@ -73,7 +73,7 @@ TEST(PathJob, FeedsAndOrderReachTheProgram) {
     EXPECT_NE(other.times.cycle_s, fast.times.cycle_s);
 }
 
-TEST(PathJob, APathGoesAlongWithAFrameOfTheCell) {
+TEST(PathJob, PathMovesWithCellFrame) {
     JobRunner runner;
     Job job = job_in_cell({{"cell.frame.wheel centre.frame.x_mm", 250, SettingUse::shift}});
     job.options["collisions"] = false;
@@ -92,7 +92,7 @@ TEST(PathJob, APathGoesAlongWithAFrameOfTheCell) {
 
 #ifndef GSIM_SANITIZED  // bodies are looked at two hundred times as long there
 // All objects on the frame move along: no other body touches then. Without the path the cell alone is moved.
-TEST(PathJob, APathAndItsCellGoTogether) {
+TEST(PathJob, PathAndCellMoveTogether) {
     JobRunner runner;
     const RunRow moved =
         runner.run(job_in_cell({{"cell.frame.wheel centre.frame.x_mm", 250, SettingUse::shift},
@@ -106,7 +106,7 @@ TEST(PathJob, APathAndItsCellGoTogether) {
 }
 #endif
 
-TEST(PathJob, WhatGoesTogetherWronglyIsSaid) {
+TEST(PathJob, ReportsInvalidCombinations) {
     JobRunner runner;
     Job job = job_in_cell({});
     job.options["path_frame"] = "wheel center";
@@ -134,7 +134,7 @@ TEST(PathJob, WhatGoesTogetherWronglyIsSaid) {
 }
 
 // The machine that is built in has no file: its settings go with a frame all the same.
-TEST(PathJob, TheMachineThatIsBuiltInMayBeSet) {
+TEST(PathJob, AppliesSettingsToBuiltInMachine) {
     const fs::path folder = fs::temp_directory_path() / ("gsim-built-in-" + std::to_string(::getpid()));
     fs::create_directories(folder);
     std::ofstream(folder / "c.toml")
@@ -150,7 +150,7 @@ TEST(PathJob, TheMachineThatIsBuiltInMayBeSet) {
     fs::remove_all(folder);
 }
 
-TEST(PathJob, FiguresThatAreAskedFor) {
+TEST(PathJob, ComputesRequestedMetrics) {
     JobRunner runner;
     Job job = wheel_job({});
     EXPECT_FALSE(runner.run(job).joint_speed_share);

@@ -38,7 +38,7 @@ class PlanFile : public testing::Test {
     fs::path folder_ = fs::temp_directory_path() / ("gsim-plan-" + std::to_string(::getpid()));
 };
 
-TEST_F(PlanFile, NamesFoldersFilesAndPatterns) {
+TEST_F(PlanFile, ExpandsFoldersFilesAndPatterns) {
     const auto plan = read(R"(programs = ["p", "p/*.nc", "p/**/*.tap", "p/notes.txt"]
 machines = ["m.toml", "router3"]
 )");
@@ -50,7 +50,7 @@ machines = ["m.toml", "router3"]
     EXPECT_EQ(Jobs(*plan).size(), 8U);
 }
 
-TEST_F(PlanFile, MakesAJobOfEachProgramMachineAndVariant) {
+TEST_F(PlanFile, CreatesJobPerProgramMachineAndVariant) {
     const auto plan = read(R"(programs = "p"
 machines = ["m.toml", "router3"]
 controllers = ["ab9", "blend"]
@@ -80,7 +80,7 @@ steps = 3
     EXPECT_EQ(repeated->options, job.options);
 }
 
-TEST_F(PlanFile, SaysWhereItIsWrong) {
+TEST_F(PlanFile, ReportsInvalidKeysAndValues) {
     EXPECT_THAT(rejection("programs = ["), HasSubstr("plan.toml:1:"));
     EXPECT_THAT(rejection("machines = [\"a\"]"), HasSubstr("lacks the key 'programs'"));
     EXPECT_THAT(rejection("programs = \"q\""), HasSubstr("q': file or folder not found"));
@@ -120,7 +120,7 @@ TEST_F(PlanFile, SaysWhereItIsWrong) {
 }
 
 // The name of a folder may contain the wildcards of a pattern.
-TEST_F(PlanFile, MayLieInAFolderOfAnyName) {
+TEST_F(PlanFile, AcceptsFolderOfAnyName) {
     const fs::path odd = folder_ / "job [5] *";
     fs::create_directories(odd / "deep");
     std::ofstream(odd / "deep" / "x.nc") << "M2\n";
@@ -135,7 +135,7 @@ TEST_F(PlanFile, MayLieInAFolderOfAnyName) {
                 HasSubstr("not UTF-8"));
 }
 
-TEST_F(PlanFile, SeveralKeysGetTheSameValue) {
+TEST_F(PlanFile, SetsSeveralKeysToSameValue) {
     const auto plan = read(R"(programs = "p"
 [[setting]]
 keys = ["cell.object.part.frame.x_mm", "cell.frame.f.x_mm"]
@@ -155,7 +155,7 @@ values = [[0, 1], [1, 0]]
     EXPECT_EQ(settings_json(job.settings)["cell.frame.f.x_mm"], "+ 2");
 }
 
-TEST_F(PlanFile, OrdersAreDrawnAlike) {
+TEST_F(PlanFile, DrawsOrdersUniformly) {
     const auto plan = read(R"(programs = "p/a.nc"
 [sampling]
 kind = "random"
@@ -173,7 +173,7 @@ orders = 3
         EXPECT_NEAR(count, 1000, 5 * std::sqrt(6000 * 5.0 / 36)) << order;
 }
 
-TEST_F(PlanFile, SaysWhichKeysDoNotGoTogether) {
+TEST_F(PlanFile, RejectsIncompatibleKeys) {
     const auto with = [&](const std::string& setting) {
         return rejection("programs = \"p\"\n[[setting]]\n" + setting);
     };
@@ -194,7 +194,7 @@ TEST_F(PlanFile, SaysWhichKeysDoNotGoTogether) {
     EXPECT_THAT(with("keys = [\"machine.a\", \"machine.a\"]\nvalues = [1]\n"), HasSubstr("set twice"));
 }
 
-TEST_F(PlanFile, EachKindOfSamplingIsItself) {
+TEST_F(PlanFile, ReadsEachSamplingKind) {
     for (const auto& [name, sampling] : {std::pair{"random", Sampling::random},
                                          {"latin-hypercube", Sampling::latin_hypercube},
                                          {"sobol", Sampling::sobol}}) {
@@ -206,13 +206,13 @@ TEST_F(PlanFile, EachKindOfSamplingIsItself) {
     }
 }
 
-TEST_F(PlanFile, RefusesWhatOnlyPathsCanHave) {
+TEST_F(PlanFile, RejectsPathOptionsForPrograms) {
     for (const char* option : {"post = \"ab9\"", "path_frame = \"f\"", "rotary_as_given = true"})
         EXPECT_THAT(rejection(std::string("programs = \"p\"\n[options]\n") + option + "\n"),
                     HasSubstr("applies to paths"));
 }
 
-TEST_F(PlanFile, TakesDistributions) {
+TEST_F(PlanFile, ReadsDistributions) {
     const auto plan = read(R"(programs = "p"
 [sampling]
 kind = "latin-hypercube"

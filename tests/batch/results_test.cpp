@@ -68,7 +68,7 @@ std::string written_text(const std::string& file, Result<void> (*write)(Database
     return text;
 }
 
-TEST_F(ResultsFile, FindsARunAsLongAsAllThatItReadIsAsItWas) {
+TEST_F(ResultsFile, FindsRunIfItsInputsAreUnchanged) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results) << results.error().message;
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
@@ -91,7 +91,7 @@ TEST_F(ResultsFile, FindsARunAsLongAsAllThatItReadIsAsItWas) {
         << "it was looked for, and now it is there";
 }
 
-TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
+TEST_F(ResultsFile, RepeatsCrashedRunOnRequest) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results);
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
@@ -106,7 +106,7 @@ TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
 }
 
 // A crash does not report what was read, so a run that came to its end is better.
-TEST_F(ResultsFile, ATrueRunGoesBeforeOneThatWasLostLater) {
+TEST_F(ResultsFile, PrefersCompletedRunToLaterTimeout) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
     const auto good = results->add(job_of(0, "a.nc"), {"k", "1", ""}, run_row(0), "v");
@@ -121,7 +121,7 @@ TEST_F(ResultsFile, ATrueRunGoesBeforeOneThatWasLostLater) {
 }
 
 // The results were removed while a cluster was at work: what it has is of no batch there.
-TEST_F(ResultsFile, AnotherBatchIsNotGoneOnWith) {
+TEST_F(ResultsFile, DoesNotResumeOtherBatch) {
     std::string token;
     {
         auto results = Results::open(file_);
@@ -139,7 +139,7 @@ TEST_F(ResultsFile, AnotherBatchIsNotGoneOnWith) {
     EXPECT_FALSE(results->resume_batch(1, token)) << "the same number, another batch";
 }
 
-TEST_F(ResultsFile, IsReadByOthersWhileItIsWritten) {
+TEST_F(ResultsFile, CanBeReadDuringWriting) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results);
     ASSERT_TRUE(results->begin_batch("plan.toml", 2, "v"));
@@ -157,7 +157,7 @@ TEST_F(ResultsFile, IsReadByOthersWhileItIsWritten) {
     EXPECT_EQ(rows->number(1), 0.1 + 0.2) << "to the last bit";
 }
 
-TEST_F(ResultsFile, ComesOutInOtherForms) {
+TEST_F(ResultsFile, ExportsJunitSarifCsvAndJsonLines) {
     {
         auto results = Results::open(file_);
         ASSERT_TRUE(results);
@@ -192,7 +192,7 @@ TEST_F(ResultsFile, ComesOutInOtherForms) {
     EXPECT_EQ(first["cycle_time_s"], 0.1 + 0.2);
 }
 
-TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
+TEST_F(ResultsFile, MergesOtherFilesOnce) {
     const auto file_with = [&](const std::string& name, std::size_t first, std::size_t end) {
         const std::string file = (folder_ / name).string();
         auto results = Results::open(file, Journal::rollback);
@@ -242,7 +242,7 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
 }
 
 // The file is a copy in a read-only folder, with a name that needs escapes in a URI.
-TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
+TEST_F(ResultsFile, CanBeReadInReadOnlyFolder) {
     const fs::path odd = folder_ / "odd 50% #1?";
     fs::create_directories(odd);
     const std::string file = (odd / "r's.sqlite").string();
@@ -261,7 +261,7 @@ TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
 }
 
 // A run without the requested output is repeated.
-TEST_F(ResultsFile, PicturesAreKeptWhereTheyAreWanted) {
+TEST_F(ResultsFile, StoresPicturesOnRequest) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
     RunRow row = run_row(0);
@@ -289,7 +289,7 @@ TEST_F(ResultsFile, PicturesAreKeptWhereTheyAreWanted) {
 }
 
 // As the version before had made it: what is in it stays, and is found again.
-TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
+TEST_F(ResultsFile, UpgradesVersionOne) {
     {
         auto old = Database::open(file_);
         ASSERT_TRUE(old->execute(std::string("BEGIN; ") + kSchema +
@@ -328,7 +328,7 @@ TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
 }
 
 // The columns of version 2 had other names.
-TEST_F(ResultsFile, ColumnsOfTheSecondVersionGetTheirNewNames) {
+TEST_F(ResultsFile, RenamesColumnsOfVersionTwo) {
     {
         auto old = Database::open(file_);
         std::string version_2 = kVersion2Tables;
@@ -355,7 +355,7 @@ TEST_F(ResultsFile, ColumnsOfTheSecondVersionGetTheirNewNames) {
     EXPECT_EQ(rows->integer(3), 1);
 }
 
-TEST_F(ResultsFile, OfAnotherKindIsRefused) {
+TEST_F(ResultsFile, RejectsOtherFileTypes) {
     std::ofstream(file_) << "no database, but long enough to be looked at as if it were one, with many words";
     const auto text = Results::open(file_);
     ASSERT_FALSE(text);

@@ -7,7 +7,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(ViewCommand, ServesAFolderThatHasAllFiles) {
+TEST(ViewCommand, ServesFolderWithAllFiles) {
     const auto line = [](const std::string& machine, const std::string& program) {
         return shell_line(
             studio_command({.program = program, .machine = machine, .options = "{}", .settings = "{}"})
@@ -24,7 +24,7 @@ TEST(ViewCommand, ServesAFolderThatHasAllFiles) {
     EXPECT_EQ(line("", "-a.nc"), "gsim studio . ./-a.nc");
 }
 
-TEST(ViewCommand, SaysWhatItHasNoWordFor) {
+TEST(ViewCommand, ReportsUnsupportedSettings) {
     const RunInputs run{
         .program = "a.nc",
         .machine = "m.toml",
@@ -41,7 +41,7 @@ TEST(ViewCommand, SaysWhatItHasNoWordFor) {
                                              "feed_override_percent", "variables"));
 }
 
-TEST(ViewCommand, OfAJobIsTheSameRun) {
+TEST(ViewCommand, RepeatsRunOfJob) {
     const Job job{
         .program = "best/a b.nc",
         .machine = "best/a.machine.toml",

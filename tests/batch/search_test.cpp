@@ -100,7 +100,7 @@ RunRow bowl(const Job& job) {
     return is_clean(10 + std::pow(setting(job, 0) - 1, 2) + 4 * std::pow(setting(job, 1) + 2, 2));
 }
 
-TEST_F(SearchFile, FindsTheLeastOfABowl) {
+TEST_F(SearchFile, FindsMinimumOfBowl) {
     const auto plan = read(kPlan);
     ASSERT_TRUE(plan) << plan.error().message;
     const auto state = search(*plan, bowl);
@@ -118,7 +118,7 @@ TEST_F(SearchFile, FindsTheLeastOfABowl) {
               state->best.score.value.value());
 }
 
-TEST_F(SearchFile, TheSamePlanTriesTheSame) {
+TEST_F(SearchFile, SamePlanGivesSameTrials) {
     const auto plan = read(kPlan);
     std::vector<std::string> first, second;
     for (auto* trials : {&first, &second}) {
@@ -130,7 +130,7 @@ TEST_F(SearchFile, TheSamePlanTriesTheSame) {
     EXPECT_EQ(first, second);
 }
 
-TEST_F(SearchFile, IsCutOffWithWhatItHas) {
+TEST_F(SearchFile, ReturnsPartialResultIfInterrupted) {
     const auto plan = read(kPlan);
     batches_left_ = 4;
     const auto state = search(*plan, bowl);
@@ -143,7 +143,7 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
 }
 
 // The minimum of the bowl is not allowed: beyond a line a run fails, and a limit bounds a value.
-TEST_F(SearchFile, KeepsToWhatIsAllowed) {
+TEST_F(SearchFile, FindsMinimumWithinLimits) {
     const std::string text = std::string(kPlan) + "[[limit]]\nmetric = \"clearance_mm\"\nmin = 1\n";
     auto plan = read(text);
     ASSERT_TRUE(plan) << plan.error().message;
@@ -166,7 +166,7 @@ TEST_F(SearchFile, KeepsToWhatIsAllowed) {
               static_cast<double>(state->feasible));
 }
 
-TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
+TEST_F(SearchFile, OrdersViolationsByAmount) {
     const auto plan = read(kPlan);
     const auto violation = [&](RunRow row) {
         Plan one = plan->plan;
@@ -198,7 +198,7 @@ TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
 }
 
 // A run that was not made has no value, least of all a good one.
-TEST_F(SearchFile, WhatIsNotRunHasNoValue) {
+TEST_F(SearchFile, RejectedRunHasNoValue) {
     const auto plan = read(kPlan);
     const auto state = search(*plan, [](const Job& job) {
         RunRow row = bowl(job);
@@ -211,7 +211,7 @@ TEST_F(SearchFile, WhatIsNotRunHasNoValue) {
     EXPECT_EQ(number("SELECT count(*) FROM search_run WHERE value < 10"), 0);
 }
 
-TEST_F(SearchFile, ASettingThatNoRunCanHaveIsToldEarly) {
+TEST_F(SearchFile, ReportsImpossibleSettingEarly) {
     const auto plan = read(kPlan);
     const auto state = search(*plan, [](const Job& job) {
         RunRow row = bowl(job);
@@ -227,7 +227,7 @@ TEST_F(SearchFile, ASettingThatNoRunCanHaveIsToldEarly) {
     EXPECT_EQ(evaluated_, 21);
 }
 
-TEST_F(SearchFile, MoreVariantsGoOnBehindFewer) {
+TEST_F(SearchFile, MoreVariantsContinueAfterFewer) {
     auto plan = read(kPlan);
     std::vector<std::string> fewer, more;
     for (auto* trials : {&fewer, &more}) {
@@ -248,7 +248,7 @@ TEST_F(SearchFile, MoreVariantsGoOnBehindFewer) {
     EXPECT_TRUE(std::equal(few.begin(), few.end(), more.begin()));
 }
 
-TEST_F(SearchFile, AMachineMayBeNamedTwice) {
+TEST_F(SearchFile, AcceptsMachineNamedTwice) {
     std::string text = kPlan;
     text.replace(text.find("[\"m.toml\"]"), 10, "[\"m.toml\", \"m.toml\"]");
     const auto state = search(*read(text), bowl);
@@ -256,7 +256,7 @@ TEST_F(SearchFile, AMachineMayBeNamedTwice) {
     EXPECT_NEAR(state->best.score.value.value(), 20, 1e-2);
 }
 
-TEST_F(SearchFile, SumsOverProgramsAndMachines) {
+TEST_F(SearchFile, SumsOverPrograms) {
     std::ofstream(folder_ / "q.nc") << "M2\n";
     std::string text = kPlan;
     text.replace(text.find("\"p.nc\""), 6, "\"p.nc\", \"q.nc\"");
@@ -273,7 +273,7 @@ TEST_F(SearchFile, SumsOverProgramsAndMachines) {
     EXPECT_EQ(number("SELECT count(*) FROM search_run"), 302);
 }
 
-TEST_F(SearchFile, FiguresThatRunsDoNotHaveAreNamed) {
+TEST_F(SearchFile, ReportsMissingMetric) {
     std::string text = kPlan;
     text.replace(text.find("cycle_time_s"), 12, "energy_j");
     const auto state = search(*read(text), bowl);
@@ -281,7 +281,7 @@ TEST_F(SearchFile, FiguresThatRunsDoNotHaveAreNamed) {
     EXPECT_THAT(state.error().message, HasSubstr("have no 'energy_j'"));
 }
 
-TEST_F(SearchFile, FindsAnOrder) {
+TEST_F(SearchFile, FindsBestOrder) {
     std::string text = kPlan;
     text.erase(text.find("[[setting]]"));
     text += "[[setting]]\nkey = \"path.order\"\norders = 5\n";
@@ -305,7 +305,7 @@ TEST_F(SearchFile, FindsAnOrder) {
     EXPECT_EQ(state->best.settings[0].value, (nlohmann::json{3U, 1U, 4U, 0U, 2U}));
 }
 
-TEST(SearchSpace, HasACoordinateForEachSettingAndEachThingOfAnOrder) {
+TEST(SearchSpace, HasCoordinatePerSettingAndOrderElement) {
     const SearchSpace space({{{"machine.a", "machine.b"}, Uniform{10, 20}, SettingUse::shift},
                              {{"path.order"}, Order{3}},
                              {{"option.dialect"}, Choices{{"ab9", "rs274ngc"}}}});
@@ -319,7 +319,7 @@ TEST(SearchSpace, HasACoordinateForEachSettingAndEachThingOfAnOrder) {
     EXPECT_EQ(values[3].value, "rs274ngc") << "the end of the box is its last value";
 }
 
-TEST_F(SearchFile, AcceptsOldNamesOfKeysAndWarns) {
+TEST_F(SearchFile, AcceptsOldKeyNamesAndWarns) {
     const std::string text = kPlan;
     const auto old = read(text + "[[limit]]\nfigure = \"cycle_time_s\"\nleast = 1\nmost = 3\n");
     ASSERT_TRUE(old) << old.error().message;
@@ -337,7 +337,7 @@ TEST_F(SearchFile, AcceptsOldNamesOfKeysAndWarns) {
     EXPECT_EQ(renamed->warnings.size(), 2);
 }
 
-TEST_F(SearchFile, SaysWhatIsWrong) {
+TEST_F(SearchFile, ReportsErrorsOfPlan) {
     const std::string text = kPlan;
     const auto without = [&](const std::string& part) {
         std::string less = text;

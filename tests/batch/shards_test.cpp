@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Shards, HaveEachJobOnceAndAreAlike) {
+TEST(Shards, HaveEachJobOnceAndSimilarSize) {
     Shards shards;
     for (std::uint64_t job = 0; job < 1007; job += job % 3 + 1) shards.pending_jobs.push_back(job);
     shards.shards = 16;
@@ -29,7 +29,7 @@ TEST(Shards, HaveEachJobOnceAndAreAlike) {
     EXPECT_LE(max - min, 1U);
 }
 
-TEST(Shards, AreNoMoreThanAnArrayTakes) {
+TEST(Shards, StayWithinArraySize) {
     EXPECT_EQ(shard_count(1, 1000, 1000), 1U);
     EXPECT_EQ(shard_count(1001, 1000, 1000), 2U);
     EXPECT_EQ(shard_count(10'000'000, 1000, 1000), 1000U);
@@ -68,7 +68,7 @@ TEST(Shards, AreWrittenAndReadBack) {
 
 // slurm.conf(5) and sbatch(1): minutes, minutes:seconds, hours:minutes:seconds, days-hours,
 // days-hours:minutes, ...
-TEST(SlurmTime, IsReadInAllOfItsForms) {
+TEST(SlurmTime, IsReadInAllFormats) {
     EXPECT_EQ(read_minutes("90").value(), 90U);
     EXPECT_EQ(read_minutes("10:30").value(), 10U);
     EXPECT_EQ(read_minutes("01:30:00").value(), 90U);
@@ -79,7 +79,7 @@ TEST(SlurmTime, IsReadInAllOfItsForms) {
     for (const char* none : {"", "a", "1:2:3:4", "-5", "1-", "1.5"}) EXPECT_FALSE(read_minutes(none)) << none;
 }
 
-TEST(SlurmFields, AreReadOfBothForms) {
+TEST(SlurmFields, AreReadInBothFormats) {
     const auto fields = read_fields(
         "PartitionName=test MaxTime=UNLIMITED\n   TotalNodes=2\nMaxArraySize            = 1001\n");
     EXPECT_EQ(fields.at("MaxTime"), "UNLIMITED");

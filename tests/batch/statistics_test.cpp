@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Student's t with 9 degrees of freedom: 2.262157 at 97.5 %.
-TEST(Summary, HasTheMeanAndItsInterval) {
+TEST(Summary, HasMeanAndItsInterval) {
     const SampleSummary summary = summarize({10, 9, 8, 7, 6, 5, 4, 3, 2, 1});
     EXPECT_DOUBLE_EQ(summary.mean, 5.5);
     EXPECT_NEAR(summary.deviation, 3.0276503540974917, 1e-12);
@@ -38,7 +38,7 @@ TEST(Summary, HasTheMeanAndItsInterval) {
 }
 
 // The interval is 1 - 0.025^(1/n) for none of n; for 5 of 50 it is that of the tables of Clopper and Pearson.
-TEST(Share, HasItsInterval) {
+TEST(Proportion, HasConfidenceInterval) {
     EXPECT_EQ(*proportion_interval(0, 300).min, 0);
     EXPECT_NEAR(*proportion_interval(0, 300).max, 1 - std::pow(0.025, 1.0 / 300), 1e-12);
     EXPECT_NEAR(*proportion_interval(300, 300).min, std::pow(0.025, 1.0 / 300), 1e-12);
@@ -46,7 +46,7 @@ TEST(Share, HasItsInterval) {
     EXPECT_NEAR(*proportion_interval(5, 50).max, 0.2181, 5e-5);
 }
 
-TEST(Regression, FindsWhatAStraightLineIsMadeOf) {
+TEST(Regression, FindsSlopesOfLinearFunction) {
     std::mt19937 random(3);
     std::vector<double> a, b, constant, metric;
     for (int i = 0; i < 200; ++i) {
@@ -130,7 +130,7 @@ class ClosedForm : public testing::Test {
     JobRunner runner_;
 };
 
-TEST_F(ClosedForm, PercentilesAreWithinTheirIntervalsIn95Of100Seeds) {
+TEST_F(ClosedForm, IntervalsContainPercentilesFor95Of100Seeds) {
     constexpr std::uint64_t kRuns = 60;
     std::vector<int> covered(7);
     int mean_held = 0;
@@ -147,7 +147,7 @@ TEST_F(ClosedForm, PercentilesAreWithinTheirIntervalsIn95Of100Seeds) {
     EXPECT_GE(mean_held, 92) << "Student's t is for normal samples; this one is skew";
 }
 
-TEST_F(ClosedForm, EvenDesignsAreNearerThanLot) {
+TEST_F(ClosedForm, EvenDesignsAreMoreAccurateThanRandom) {
     const auto worst = [&](Sampling sampling) {
         double max = 0;
         for (std::uint64_t seed = 1; seed <= 5; ++seed)
@@ -160,7 +160,7 @@ TEST_F(ClosedForm, EvenDesignsAreNearerThanLot) {
     EXPECT_LT(worst(Sampling::sobol), uniform_random / 3);
 }
 
-TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
+TEST_F(ClosedForm, ReadsStudiesAndComparisonsFromResults) {
     const std::string file = (folder_ / "r.sqlite").string();
     Plan both = plan(Sampling::latin_hypercube, 40, 1);
     // The same machine with half of the acceleration, and one run that fails.

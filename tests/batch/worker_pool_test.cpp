@@ -48,12 +48,12 @@ std::map<std::size_t, RunRow> run_all(const std::vector<std::string>& programs, 
     return rows;
 }
 
-TEST(WorkerPool, GivesARowForEachJob) {
+TEST(WorkerPool, ReturnsRowForEachJob) {
     const auto rows = run_all(std::vector<std::string>(200, "a.nc"), 3);
     for (const auto& [number, row] : rows) EXPECT_EQ(row.outcome.status, "completed");
 }
 
-TEST(WorkerPool, AWorkerThatEndsCostsTheRowOfItsJobAlone) {
+TEST(WorkerPool, EndedWorkerFailsOnlyItsJob) {
     std::vector<std::string> programs(60, "a.nc");
     for (std::size_t i = 0; i < programs.size(); i += 5)
         programs[i] = std::vector<std::string>{"crash", "leave", "memory", "babble"}[i / 5 % 4];
@@ -82,14 +82,14 @@ TEST(WorkerPool, AWorkerThatEndsCostsTheRowOfItsJobAlone) {
 }
 
 // Another worker retries the job, because the job may not be the cause.
-TEST(WorkerPool, WhatOthersEndIsTriedAgainButNotForEver) {
+TEST(WorkerPool, StopsRetryingTerminatedJob) {
     const auto rows = run_all({"a.nc", "ended", "a.nc", "a.nc"}, 2);
     EXPECT_EQ(rows.at(1).outcome.status, "crashed");
     EXPECT_THAT(rows.at(1).outcome.message, HasSubstr("signal 15"));
     for (const std::size_t number : {0U, 2U, 3U}) EXPECT_EQ(rows.at(number).outcome.status, "completed");
 }
 
-TEST(WorkerPool, EndsWhatTakesTooLong) {
+TEST(WorkerPool, EndsJobAfterTimeout) {
     const auto rows = run_all({"a.nc", "sleep", "a.nc", "a.nc", "sleep", "a.nc"}, 2, 0.5);
     for (const std::size_t number : {0U, 2U, 3U, 5U}) EXPECT_EQ(rows.at(number).outcome.status, "completed");
     for (const std::size_t number : {1U, 4U}) {
@@ -98,14 +98,14 @@ TEST(WorkerPool, EndsWhatTakesTooLong) {
     }
 }
 
-TEST(WorkerPool, SaysThatThereIsNoSuchProgram) {
+TEST(WorkerPool, ReportsMissingProgram) {
     WorkerPool pool({.command = {"/no/such/program"}, .workers = 1, .timeout_s = 1});
     const auto given = pool.submit({});
     ASSERT_FALSE(given);
     EXPECT_THAT(given.error().message, HasSubstr("cannot run /no/such/program"));
 }
 
-TEST(WorkerPool, LeavesNobodyBehind) {
+TEST(WorkerPool, EndsWorkersOnDestruction) {
     const auto begun = std::chrono::steady_clock::now();
     {
         WorkerPool pool({.command = {"/bin/sh", "-c", kWorker}, .workers = 2, .timeout_s = 60});

@@ -77,7 +77,7 @@ GeometryFit fitted(const machine::Machine& machine, const std::vector<MeasuredTc
 }
 
 // Y is tilted towards X by 0.4 mrad, Z away from Y by 0.3 mrad; X moves 100 ppm too far.
-TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
+TEST(GeometryClosedForm, FindsSquarenessErrorsOfGantry) {
     const double tilt_rad = 4e-4, back = 3e-4;
     const auto tcps = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
         return axes[0] * 1.0001 * Vector3d::UnitX() +
@@ -100,7 +100,7 @@ TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
 }
 
 // The table turns about (c, d): a point p is at R (p - c) + c of it.
-TEST(GeometryClosedForm, ATableThatTurnsBesideItsMiddle) {
+TEST(GeometryClosedForm, FindsOffsetOfTableAxis) {
     const Vector3d centre(0.12, -0.07, 0);
     const auto tcps = tips_of(with_table(), [&](const std::vector<double>& axes) -> Vector3d {
         const Vector3d position(axes[0], axes[1], axes[2]);
@@ -120,7 +120,7 @@ TEST(GeometryClosedForm, ATableThatTurnsBesideItsMiddle) {
 }
 
 // Programs read the written file: its TCPs are those of the fit, however joints are defined.
-TEST(GeometryClosedForm, TheFileIsTheMachine) {
+TEST(GeometryClosedForm, WrittenFileReproducesFittedTcps) {
     for (const char* name : {"arm6", "af5", "mill-table-table", "gantry-offset-head"}) {
         const machine::Machine machine = sample(name);
         const auto poses = suggest_poses(machine, 40, true, {{}, {"scale"}}).value();
@@ -145,7 +145,7 @@ TEST(GeometryClosedForm, TheFileIsTheMachine) {
 
 // Points do not show how the tool is turned: poses of the file can still be reached if slides are found to
 // lie askew.
-TEST(GeometryClosedForm, TheToolKeepsItsDirectionWherePointsAloneAreMeasured) {
+TEST(GeometryClosedForm, KeepsToolDirectionIfOnlyPointsAreMeasured) {
     const Eigen::Matrix3d askew = Eigen::AngleAxisd(6e-4, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     const auto tcps = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
         return askew * Vector3d(axes[0], axes[1], axes[2]);
@@ -161,7 +161,7 @@ TEST(GeometryClosedForm, TheToolKeepsItsDirectionWherePointsAloneAreMeasured) {
 }
 
 // One joint's line moves, and no other part does while all joints are at zero.
-TEST(GeometryClosedForm, ALineMovesAlone) {
+TEST(GeometryClosedForm, AxisDeviationKeepsTcpAtZeroJoints) {
     for (const char* name : {"arm6", "af5", "mill-table-table", "mill-head-table", "unlimited"}) {
         const machine::Machine machine = sample(name);
         const DeviatedMachine deviated({.machine = machine, .scales = {}});
@@ -169,7 +169,7 @@ TEST(GeometryClosedForm, ALineMovesAlone) {
         for (const machine::Axis& axis : machine.axes) at_zero.push_back(axis.zero);
         const rrs::CartPos before = TcpCalculator(deviated.nominal()).tcp(at_zero);
         for (const Deviation& deviation : all_deviations(machine, {})) {
-            if (deviation.of != Deviation::Of::tilt && deviation.of != Deviation::Of::shift) continue;
+            if (deviation.kind != Deviation::Kind::tilt && deviation.kind != Deviation::Kind::shift) continue;
             const std::vector<Deviation> one{deviation};
             const TcpCalculator calculator(deviated.at(one, Eigen::VectorXd::Constant(1, 0.3)));
             EXPECT_TRUE(calculator.tcp(at_zero).isApprox(before, 1e-12)) << name << ", " << deviation.name;
@@ -177,7 +177,7 @@ TEST(GeometryClosedForm, ALineMovesAlone) {
     }
 }
 
-TEST(GeometryClosedForm, NoiseIsFoundAndOutliersCountForLittle) {
+TEST(GeometryClosedForm, EstimatesNoiseAndMarksOutliers) {
     const machine::Machine machine = with_table();
     const auto poses = suggest_poses(machine, 60, false, {}).value();
     const auto ground_truth = make_ground_truth(machine, poses, {}, 5);
@@ -197,7 +197,7 @@ TEST(GeometryClosedForm, NoiseIsFoundAndOutliersCountForLittle) {
 }
 
 // X curves by a tenth of a millimetre, which no straight slide does; turns are given without their noise.
-TEST(GeometryClosedForm, WhatIsNotLookedForIsSeen) {
+TEST(GeometryClosedForm, ReportsResidualAboveNoise) {
     const machine::Machine machine = with_table();
     const auto poses = suggest_poses(machine, 40, true, {}).value();
     const Geometry file{.machine = machine, .scales = std::vector<double>(machine.axes.size(), 1)};
@@ -218,7 +218,7 @@ TEST(GeometryClosedForm, WhatIsNotLookedForIsSeen) {
     EXPECT_THAT(geometry_table(bent, {}), HasSubstr("the residual exceeds the noise"));
 }
 
-TEST(GeometryClosedForm, AnInstrumentMayStandAnywhere) {
+TEST(GeometryClosedForm, FindsDeviationsInAnyInstrumentFrame) {
     const machine::Machine machine = with_table();
     const auto poses = suggest_poses(machine, 40, false, {.instrument_frame = true, .fixed = {}}).value();
     const auto ground_truth = make_ground_truth(machine, poses, {.instrument_frame = true, .fixed = {}}, 8);
@@ -234,14 +234,14 @@ TEST(GeometryClosedForm, AnInstrumentMayStandAnywhere) {
     // The best fit is no worse than the truth.
     EXPECT_LE(summarize_errors(fit.after).rms_um, summarize_errors(tcp_errors(seen, tcps)).rms_um);
     for (std::size_t i = 0; i < fit.found.size(); ++i) {
-        if (fit.found[i].deviation.of == Deviation::Of::instrument) continue;
+        if (fit.found[i].deviation.kind == Deviation::Kind::instrument) continue;
         EXPECT_NEAR(fit.found[i].value, ground_truth.values[static_cast<Eigen::Index>(i)],
                     4 * fit.found[i].standard_deviation)
             << fit.found[i].deviation.name;
     }
 }
 
-TEST(GeometryClosedForm, HeldDeviationsStay) {
+TEST(GeometryClosedForm, FixedDeviationsStayFixed) {
     const auto tcps = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
         return Vector3d(axes[0] + 0.1, axes[1], axes[2]);
     });
@@ -268,7 +268,7 @@ TEST(GeometryClosedForm, HeldDeviationsStay) {
 
 // With the table LinuxCNC sends the motor to nominal + (nominal - forward). The axis is then where it should
 // be, to the square of the scale's error.
-TEST(GeometryClosedForm, CompensationBringsAxesHome) {
+TEST(GeometryClosedForm, CompensationTableCorrectsScale) {
     const auto tcps = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
         return Vector3d(axes[0] * 1.0002, axes[1], axes[2]);
     });
@@ -289,7 +289,7 @@ TEST(GeometryClosedForm, CompensationBringsAxesHome) {
 }
 
 // The TCP is at the work frame's origin if the readings are those of the line.
-TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
+TEST(GeometryClosedForm, WritesWorkOffsetOfFittedFrame) {
     const auto tcps = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
         return Vector3d(axes[0] - 0.25, axes[1] + 0.5, axes[2] - 0.125);
     });
@@ -303,7 +303,7 @@ TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
 }
 
 // D-optimal: the deviations' ellipsoid is smaller than that of as many poses that are spread evenly.
-TEST(GeometryClosedForm, SuggestedPosesTellMore) {
+TEST(GeometryClosedForm, SuggestedPosesDetermineMoreThanSpreadPoses) {
     for (const char* name : {"mill-head-table", "arm6"}) {
         const machine::Machine machine = sample(name);
         const auto log_volume = [&](const std::vector<MeasuredTcp>& poses) {
@@ -331,7 +331,7 @@ TEST(GeometryClosedForm, SuggestedPosesTellMore) {
               "12 deviations of this machine can be determined, which requires at least 5 poses");
 }
 
-TEST(GeometryClosedForm, OutcomesTellBothWays) {
+TEST(GeometryClosedForm, WritesTableJsonAndSvg) {
     const machine::Machine machine = with_table();
     const auto poses = suggest_poses(machine, 30, false, {}).value();
     const auto ground_truth = make_ground_truth(machine, poses, {}, 5);

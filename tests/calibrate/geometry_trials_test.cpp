@@ -180,7 +180,7 @@ void expect_found_again(const std::string& name, const machine::Machine& machine
         tally.left_um, tally.fresh_um, tally.fresh_worst_um);
 }
 
-TEST(GeometryTrials, EverySampleMachineIsFoundAgain) {
+TEST(GeometryTrials, RecoverGeometryOfEverySampleMachine) {
 #ifdef GSIM_SANITIZED
     GTEST_SKIP() << "2,400 fits take long with a sanitizer; geometry_closed_form_test.cpp runs there";
 #endif

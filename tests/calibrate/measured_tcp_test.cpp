@@ -20,7 +20,7 @@ std::string error_of(const std::string& list) {
     return read ? "none" : read.error().message;
 }
 
-TEST(MeasuredTips, ColumnsInAnyOrder) {
+TEST(MeasuredTcps, ReadColumnsInAnyOrder) {
     const auto list = read_tcps(
                           "note,z_mm,x_mm,y_mm,C,Y,X,A,sigma_mm\r\n"
                           "first,3,1,2,90,-5,10,-30,0.002\r\n"
@@ -38,14 +38,14 @@ TEST(MeasuredTips, ColumnsInAnyOrder) {
     EXPECT_EQ(list.unmeasured[0].readings, (std::vector<double>{2, 1, 450, 3, 0}));
 }
 
-TEST(MeasuredTips, OrientationIsThatOfMachineFiles) {
+TEST(MeasuredTcps, UseOrientationOfMachineFiles) {
     const auto list =
         read_tcps("x_mm\ty_mm\tz_mm\troll_deg\tpitch_deg\tyaw_deg\n0\t0\t0\t90\t0\t0\n", mill()).value();
     ASSERT_TRUE(list.tcps.at(0).has_orientation);
     EXPECT_TRUE(list.tcps[0].tcp.linear().col(0).isApprox(Eigen::Vector3d::UnitY(), 1e-15));
 }
 
-TEST(MeasuredTips, FaultsAreTold) {
+TEST(MeasuredTcps, RejectInvalidLists) {
     EXPECT_EQ(error_of(""), "it is empty");
     EXPECT_EQ(error_of("X,x_mm,y_mm\n"), "line 1: it must name the columns, 'z_mm' among them");
     EXPECT_EQ(error_of("x_mm,y_mm,z_mm,roll_deg\n"),
@@ -58,7 +58,7 @@ TEST(MeasuredTips, FaultsAreTold) {
               "line 2: '0' must be a standard deviation greater than 0");
 }
 
-TEST(MeasuredTips, PrintedListsAreReadBack) {
+TEST(MeasuredTcps, PrintedListReadsBackUnchanged) {
     const auto poses = spread_poses(mill(), 1, 5, true);
     const auto empty = read_tcps(print_tcps(poses, mill(), true, false), mill()).value();
     EXPECT_TRUE(empty.tcps.empty());
@@ -70,7 +70,7 @@ TEST(MeasuredTips, PrintedListsAreReadBack) {
     EXPECT_TRUE(full.tcps[3].has_orientation);
 }
 
-TEST(MeasuredTips, AProgramGoesToEachPose) {
+TEST(MeasuredTcps, ProgramMovesToEachPose) {
     std::vector<MeasuredTcp> poses(1);
     poses[0].readings = {1, 2.5, 3, -4, 5};
     EXPECT_EQ(pose_program(poses, mill()),

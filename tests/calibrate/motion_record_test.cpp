@@ -22,7 +22,7 @@ void expect_sample(const MotionSample& sample, double t_s, double x, double y, d
     EXPECT_EQ(sample.at_mm, Eigen::Vector3d(x, y, z));
 }
 
-TEST(MotionRecord, MayBeCsv) {
+TEST(MotionRecord, IsReadFromCsv) {
     const auto samples = read("y_mm,t_s,x_mm\r\n2,0.5,1\r\n3,0.75,-1e1\r\n");
     ASSERT_EQ(samples.size(), 2U);
     expect_sample(samples[0], 0.5, 1, 2, 0);
@@ -30,7 +30,7 @@ TEST(MotionRecord, MayBeCsv) {
     EXPECT_EQ(read("t\tx\n0\t1\n1\t2\n").size(), 2U);
 }
 
-TEST(MotionRecord, MayBeWhatHalsamplerPrints) {
+TEST(MotionRecord, IsReadFromHalsampler) {
     const RecordFormat record_format{.period_s = 0.002, .columns = "x-z"};
     const auto plain = read("1.5 9 2.5 \n1.6 9 2.6 \n", record_format);
     ASSERT_EQ(plain.size(), 2U);
@@ -43,7 +43,7 @@ TEST(MotionRecord, MayBeWhatHalsamplerPrints) {
     EXPECT_THAT(read_motion_record("1 2\n", record_format).error().message, HasSubstr("line 1: 2 columns"));
 }
 
-TEST(MotionRecord, MayBeStatusReportsOfGrbl) {
+TEST(MotionRecord, IsReadFromGrblStatusReports) {
     const auto samples = read(
         "[12:00:00.000] > $$\n[12:00:00.100] "
         "<Idle|MPos:0.000,0.000,0.000|FS:0,0|WCO:1.000,0.000,-2.000>\nok\n"
@@ -55,7 +55,7 @@ TEST(MotionRecord, MayBeStatusReportsOfGrbl) {
     EXPECT_THAT(read_motion_record("<Run|MPos:1,2,3>\n", {}).error().message, HasSubstr("line 1"));
 }
 
-TEST(MotionRecord, MayBeMtconnect) {
+TEST(MotionRecord, IsReadFromMtconnect) {
     const auto shdr = read(
         "2024-05-01T12:00:00.5Z|Xact|1.5|Yact|2|execution|ACTIVE\n2024-05-01T12:00:01Z|line|7\n"
         "2024-05-01T12:00:01.25Z|Xact|3|Zact|UNAVAILABLE\n");
@@ -76,7 +76,7 @@ TEST(MotionRecord, MayBeMtconnect) {
     EXPECT_NEAR(streams[1].t_s - streams[0].t_s, 2, 1e-6);
 }
 
-TEST(MotionRecord, SaysWhatIsWrong) {
+TEST(MotionRecord, RejectsInvalidRecords) {
     EXPECT_EQ(read_motion_record(" \n", {}).error().message, "it is empty");
     EXPECT_THAT(read_motion_record("a,b\n1,2\n", {}).error().message,
                 HasSubstr("line 1 must name the columns"));
@@ -97,7 +97,7 @@ std::vector<MotionSample> corner() {
     return samples;
 }
 
-TEST(Passages, AreWhereARecordingIsNearest) {
+TEST(PassageTimes, AreAtNearestPointOfRecording) {
     const auto samples = corner();
     const auto span = motion_span(samples);
     ASSERT_TRUE(span);
@@ -112,7 +112,7 @@ TEST(Passages, AreWhereARecordingIsNearest) {
     EXPECT_NEAR(passages[3].value_or(0), 2.5, 1e-9);
 }
 
-TEST(Passages, OfAPlaceThatIsPassedTwiceAreTwo) {
+TEST(PassageTimes, DistinguishTwoPassesOfOnePosition) {
     const auto forth = corner();
     std::vector<MotionSample> samples = forth;
     for (auto sample = forth.rbegin(); sample != forth.rend(); ++sample)
@@ -123,7 +123,7 @@ TEST(Passages, OfAPlaceThatIsPassedTwiceAreTwo) {
     EXPECT_NEAR(passages[2].value_or(0), 7.5, 1e-9);
 }
 
-TEST(Records, GiveARunItsTime) {
+TEST(Records, SetTimeOfRun) {
     RecordedRun run{"a.ngc", 0};
     ASSERT_TRUE(add_record("t_s,x_mm\n0,0\n1,0\n2,5\n3,9\n4,9\n", {}, run));
     EXPECT_NEAR(run.time_s, 2, 1e-9);

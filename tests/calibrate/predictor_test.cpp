@@ -77,9 +77,9 @@ constexpr const char* kPrograms[] = {
     "G21 G90\nG38.2 Z-10 F100\nG0 Z5\nM2\n",
 };
 
-class Programs : public testing::Test {
+class PredictorTest : public testing::Test {
   protected:
-    Programs() : folder_(fs::temp_directory_path() / "gsim-calibrate-predictor-test") {
+    PredictorTest() : folder_(fs::temp_directory_path() / "gsim-calibrate-predictor-test") {
         fs::create_directories(folder_);
         for (const char* text : kPrograms) {
             const fs::path file = folder_ / (std::to_string(runs_.size()) + ".ngc");
@@ -87,7 +87,7 @@ class Programs : public testing::Test {
             runs_.push_back({file.string(), 1});
         }
     }
-    ~Programs() override { fs::remove_all(folder_); }
+    ~PredictorTest() override { fs::remove_all(folder_); }
 
     /// The program is run on the machine.
     double run_time_s(const std::string& program, const std::string& machine) {
@@ -111,7 +111,7 @@ class Programs : public testing::Test {
     std::vector<RecordedRun> runs_;
 };
 
-TEST_F(Programs, TakeAsLongAsRunsDoOnAnyController) {
+TEST_F(PredictorTest, MatchesRunTimeOnAnyController) {
     const auto start = machine::read_machine(machine_text(kControllers[1]), "start.toml").value();
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
     for (const std::string& controller : kControllers) {
@@ -129,7 +129,7 @@ TEST_F(Programs, TakeAsLongAsRunsDoOnAnyController) {
 }
 
 /// Words take time or none: in the first runs of the programs they took some.
-TEST_F(Programs, TakeAsLongAsRunsDoWhereWordsTakeTime) {
+TEST_F(PredictorTest, MatchesRunTimeIfWordsTakeTime) {
     const auto start =
         machine::read_machine(machine_text(kControllers[1]) + "[times]\nM3 = 1.0\n", "start.toml").value();
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
@@ -144,7 +144,7 @@ TEST_F(Programs, TakeAsLongAsRunsDoWhereWordsTakeTime) {
 }
 
 /// As in recordings, which begin and end with motion.
-TEST_F(Programs, CountNoWordsBeforeAndBehindTheirMotion) {
+TEST_F(PredictorTest, IgnoresWordsBeforeAndAfterMotion) {
     const std::string moves = "G0 X10\nM8\nG4 P1\nG1 X30 F1000\n";
     std::vector<RecordedRun> runs;
     for (const std::string& text : {moves + "M2\n", "M3 S100\n" + moves + "M9\nM5\nM2\n"}) {
@@ -163,7 +163,7 @@ TEST_F(Programs, CountNoWordsBeforeAndBehindTheirMotion) {
     EXPECT_NEAR(times[0].value(), times[1].value(), 1e-9);
 }
 
-TEST_F(Programs, OfAPartAreThoseOfItsPlaces) {
+TEST_F(PredictorTest, PartKeepsTimesOfSelectedPrograms) {
     const auto machine = machine::read_machine(machine_text(kControllers[1]), "m.toml").value();
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, machine).value();
     const auto all = predictor.times_s(machine);

@@ -5,7 +5,7 @@
 namespace gsim::calibrate::recorded_run_test {
 namespace {
 
-TEST(RecordedRuns, AreLinesWithAProgramAndATime) {
+TEST(RecordedRuns, AreReadWithProgramAndTime) {
     const auto runs =
         read_recorded_runs("time_s, program ,who\r\n 1.5,a.nc,me\r\n\n2e1,\"/b/c.nc\",you\n", "shop");
     ASSERT_TRUE(runs) << runs.error().message;
@@ -16,14 +16,14 @@ TEST(RecordedRuns, AreLinesWithAProgramAndATime) {
     EXPECT_EQ((*runs)[1].time_s, 20);
 }
 
-TEST(RecordedRuns, MayBeATableOfNamesAndCycleTimes) {
+TEST(RecordedRuns, AcceptTableOfNamesAndCycleTimes) {
     const auto runs = read_recorded_runs("name\tmachine\tcycle_time_s\nx\trouter\t3\n", "");
     ASSERT_TRUE(runs) << runs.error().message;
     ASSERT_EQ(runs->size(), 1U);
     EXPECT_EQ((*runs)[0].program, "x.ngc");
 }
 
-TEST(RecordedRuns, MayNameFilesOfPositions) {
+TEST(RecordedRuns, AcceptFilesOfPositions) {
     const auto runs =
         read_recorded_runs("program,record,time_s\na.nc,a.csv,\nb.nc,,2\nc.nc,/c.log,3\n", "shop");
     ASSERT_TRUE(runs) << runs.error().message;
@@ -36,7 +36,7 @@ TEST(RecordedRuns, MayNameFilesOfPositions) {
     EXPECT_FALSE(read_recorded_runs("program,record\na.nc,\n", ""));
 }
 
-TEST(RecordedRuns, SayWhichLineLacksWhat) {
+TEST(RecordedRuns, ReportLineOfMissingValue) {
     EXPECT_EQ(read_recorded_runs("", "").error().message, "it is empty");
     EXPECT_EQ(read_recorded_runs("a,b\n", "").error().message,
               "line 1: it must name the columns, including 'program' and 'time_s' (or 'record')");

@@ -56,7 +56,7 @@ double value_of(const ServoFit& fit, const std::string& key) {
     return 0;
 }
 
-TEST(ServoFit, AGainAloneIsTheTimeConstant) {
+TEST(ServoFit, FindsGainWithoutOtherParameters) {
     const machine::Servo ground_truth{.position_gain_1_s = 40};
     const ServoFit fit = fit_servo(recorded(ground_truth, 1)).value();
     ASSERT_EQ(fit.fitted_parameters.size(), 1U) << "no figure that is not there";
@@ -65,7 +65,7 @@ TEST(ServoFit, AGainAloneIsTheTimeConstant) {
 }
 
 /// The test integrates the equations in fine steps, which the fit does not.
-TEST(ServoFit, FollowsTheEquationsOfTheLoop) {
+TEST(ServoFit, SimulationMatchesEquationsOfLoop) {
     const machine::Servo servo{
         .position_gain_1_s = 35, .velocity_feed_forward = 0.6, .velocity_lag_s = 0.004};
     AxisRecord record = strokes();
@@ -86,7 +86,7 @@ TEST(ServoFit, FollowsTheEquationsOfTheLoop) {
     }
 }
 
-TEST(ServoFit, FindsAllFiguresWithinTheirSpreads) {
+TEST(ServoFit, FindsAllParametersWithinTheirSpread) {
     const machine::Servo ground_truth{.position_gain_1_s = 33,
                                       .velocity_feed_forward = 0.7,
                                       .acceleration_feed_forward = 0.4,
@@ -112,7 +112,7 @@ TEST(ServoFit, FindsAllFiguresWithinTheirSpreads) {
     EXPECT_GE(inside, all - 2);
 }
 
-TEST(ServoFit, SaysWhatTellsNothing) {
+TEST(ServoFit, RejectsRecordsWithoutInformation) {
     AxisRecord still = strokes();
     still.set_points.assign(still.set_points.size(), 3);
     still.positions = still.set_points;

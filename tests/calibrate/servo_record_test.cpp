@@ -26,7 +26,7 @@ std::string error_of(const std::string& text, const ServoFormat& columns_format 
     return read ? "no error" : read.error().message;
 }
 
-TEST(ServoRecord, OfNamedColumnsHasPlaces) {
+TEST(ServoRecord, ReadsPositionsFromNamedColumns) {
     const auto read = read_servo_record("t_s,line,b_deg,b_at_deg\n" + lines("{0},7,{1},{2}\n"), {});
     ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read->size(), 1U);
@@ -38,14 +38,14 @@ TEST(ServoRecord, OfNamedColumnsHasPlaces) {
 }
 
 /// As a trajectory of gsim-run has them.
-TEST(ServoRecord, OfErrorsHasPlacesToo) {
+TEST(ServoRecord, ComputesPositionsFromErrors) {
     const auto read = read_servo_record("t_s,x_mm,y_mm,x_error_mm\n" + lines("{0},{1},3,{2}\n"), {});
     ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read->size(), 1U) << "of Y nothing is known but its set points";
     EXPECT_DOUBLE_EQ(read->front().positions[10], 5.0 - 4.0);
 }
 
-TEST(ServoRecord, OfHalsamplerHasTheColumnsThatAreTold) {
+TEST(ServoRecord, ReadsHalsamplerByGivenColumns) {
     const ServoFormat columns_format{0.002, "-Xx"};
     for (const std::string& text :
          {lines("9 {1} {2}\n"), lines("{0} 9 {1} {2}\n"), "overrun\n" + lines("{0} 9 {1} {2}\n")}) {
@@ -58,7 +58,7 @@ TEST(ServoRecord, OfHalsamplerHasTheColumnsThatAreTold) {
     EXPECT_DOUBLE_EQ(late->front().t_s[0], 0.2) << "by its number";
 }
 
-TEST(ServoRecord, SaysWhatIsMissing) {
+TEST(ServoRecord, ReportsMissingData) {
     EXPECT_EQ(error_of(""), "it is empty");
     EXPECT_THAT(error_of("t_s,x_mm\n0,1\n"), HasSubstr("x_at_mm"));
     EXPECT_THAT(error_of("x_mm,x_at_mm\n0,1\n"), HasSubstr("the columns must be t_s"));

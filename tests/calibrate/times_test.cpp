@@ -39,13 +39,13 @@ machine::Machine router(double acceleration_mm_s2, double speed_step_s) {
 }
 
 /// A folder with programs of zigzags, of several sides.
-class Recordings : public testing::Test {
+class TimesFit : public testing::Test {
   protected:
-    Recordings() : folder_(fs::temp_directory_path() / "gsim-calibrate-times-test") {
+    TimesFit() : folder_(fs::temp_directory_path() / "gsim-calibrate-times-test") {
         fs::create_directories(folder_);
         for (int i = 0; i < 8; ++i) add_zigzag(2.0 * (i + 1), 10 + 15 * i);
     }
-    ~Recordings() override { fs::remove_all(folder_); }
+    ~TimesFit() override { fs::remove_all(folder_); }
 
     void add_zigzag(double side_mm, double angle_deg) {
         std::string text = "G21 G90 G94 G17 G64\nG0 X0 Y0\n";
@@ -126,7 +126,7 @@ const FittedParameter& named(const Fit& fit, const std::string& name) {
     throw std::out_of_range(name);
 }
 
-TEST_F(Recordings, GiveBackWhatTheyWereMadeWith) {
+TEST_F(TimesFit, RecoversParametersWithoutNoise) {
     record(router(730, 0.012), 0);
     const Fit found = fit(router(400, 0.03));
     EXPECT_NEAR(named(found, "max_acceleration").value, 730, 7);
@@ -135,7 +135,7 @@ TEST_F(Recordings, GiveBackWhatTheyWereMadeWith) {
         EXPECT_NEAR(found.times_s[i], runs_[i].time_s, 0.003 * runs_[i].time_s);
 }
 
-TEST_F(Recordings, WithNoiseGiveThemWithinThreeStandardDeviations) {
+TEST_F(TimesFit, RecoversNoisyParametersWithinThreeSigma) {
     record(router(730, 0.012), 0.005);
     const Fit found = fit(router(400, 0.03));
     for (const auto& [name, truth] :
@@ -147,7 +147,7 @@ TEST_F(Recordings, WithNoiseGiveThemWithinThreeStandardDeviations) {
     EXPECT_NEAR(found.noise, 0.005, 0.004);
 }
 
-TEST_F(Recordings, DoNotTellOfWhatTheyDoNotHave) {
+TEST_F(TimesFit, LeavesUntestedParametersUnidentified) {
     record(router(730, 0.012), 0);
     const Fit found = fit(router(400, 0.03));
     EXPECT_FALSE(named(found, "centripetal_share").identified);
@@ -158,7 +158,7 @@ TEST_F(Recordings, DoNotTellOfWhatTheyDoNotHave) {
 }
 
 /// Times of words are found among those of moves, with every planning method.
-TEST_F(Recordings, TellWhatWordsTake) {
+TEST_F(TimesFit, FindsTimesOfWords) {
     for (int i = 1; i < 5; ++i) {
         std::string text = "G21 G90 G17 G64\n";
         for (int k = 0; k < 3 * i; ++k)
@@ -187,7 +187,7 @@ TEST_F(Recordings, TellWhatWordsTake) {
 }
 
 /// The time of a word that is one of a thousand things cannot be found: the program for it has it ten times.
-TEST_F(Recordings, GetAProgramForWordsThatTheyDoNotTell) {
+TEST_F(TimesFit, WritesTestProgramForUnidentifiedWords) {
     add("G21 G90\nG1 X100 F60\nM8\nG1 X0\nM2\n");
     record(router(730, 0.012), 0.01);
     machine::Machine start = router(400, 0.03);
@@ -198,7 +198,7 @@ TEST_F(Recordings, GetAProgramForWordsThatTheyDoNotTell) {
 }
 
 /// Chords of 0.5 mm that are too short for the feed.
-TEST_F(Recordings, TellWhatABlockTakes) {
+TEST_F(TimesFit, FindsBlockTime) {
     for (int i = 1; i < 5; ++i) {
         std::string text = "G21 G90 G17 G64\nG1 X0 Y0 F6000\n";
         for (int k = 1; k < 60 * i; ++k) text += fmt::format("G1 X{:.2f}\n", 0.5 * k);
@@ -215,7 +215,7 @@ TEST_F(Recordings, TellWhatABlockTakes) {
 }
 
 /// Long paths run at the speeds of the axes.
-TEST_F(Recordings, TellSpeedsThatAreAskedFor) {
+TEST_F(TimesFit, FindsAxisSpeedIfRequested) {
     for (int i = 1; i < 5; ++i) add(fmt::format("G21 G90\nG0 X{0} Y{1}\nX0\nY{0}\nM2\n", 90 * i, 70 * i));
     machine::Machine ground_truth = router(730, 0.012);
     for (machine::Axis& axis : ground_truth.axes) axis.max_speed = 240;
@@ -227,7 +227,7 @@ TEST_F(Recordings, TellSpeedsThatAreAskedFor) {
     EXPECT_NEAR(named(found, "max_acceleration").value, 730, 20);
 }
 
-TEST_F(Recordings, OfCurvesTellOfThem) {
+TEST_F(TimesFit, FindsCentripetalShareFromCurves) {
     for (const double radius : {2.0, 5.0, 10.0})
         add(fmt::format("G21 G90 G17 G64\nG1 X1 F6000\nG2 X1 Y0 I{0} J0\nG2 X1 Y0 I{0} J0\nM2\n", radius));
     machine::Machine ground_truth = router(730, 0.012);
@@ -239,7 +239,7 @@ TEST_F(Recordings, OfCurvesTellOfThem) {
 }
 
 /// v = sqrt(s a r) is as fast by a great share, which leaves little to speed up with, as by a small one.
-TEST_F(Recordings, OfOneCurveLeaveTwoShares) {
+TEST_F(TimesFit, OneCurveDoesNotIdentifyCentripetalShare) {
     add("G21 G90 G17 G64\nG1 X1 F6000\nG2 X1 Y0 I10 J0\nG2 X1 Y0 I10 J0\nM2\n");
     machine::Machine ground_truth = router(730, 0.012);
     ground_truth.controller.ramps.centripetal_share = 0.5;
@@ -251,7 +251,7 @@ TEST_F(Recordings, OfOneCurveLeaveTwoShares) {
     EXPECT_FALSE(named(found, "centripetal_share").identified);
 }
 
-TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
+TEST_F(TimesFit, MachineFileReadsBackUnchanged) {
     record(router(730, 0.012), 0.005);
     const Fit found = fit(router(400, 0.03));
     const auto repeated = machine::read_machine(machine_text(found, runs_), "fitted.toml");
@@ -264,7 +264,7 @@ TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
 
 /// The positions of one program with lines, corners and curves of all sides show as much as the times of many
 /// programs.
-TEST_F(Recordings, OfPositionsTellMoreThanATime) {
+TEST_F(TimesFit, FindsParametersFromPositions) {
     const std::vector<RecordedRun> zigzags = runs_;
     runs_.assign(zigzags.begin() + 2, zigzags.begin() + 4);
     const machine::Machine ground_truth = router(730, 0.012);
@@ -277,7 +277,7 @@ TEST_F(Recordings, OfPositionsTellMoreThanATime) {
     EXPECT_TRUE(named(found, "speed_step_s").identified);
 }
 
-TEST_F(Recordings, GiveIntervalsThatHoldTheTimesOfOtherPrograms) {
+TEST_F(TimesFit, IntervalsCoverTimesOfOtherPrograms) {
     add_zigzag(5, 33);
     const std::string other = runs_.back().program;
     runs_.pop_back();
@@ -297,7 +297,7 @@ TEST_F(Recordings, GiveIntervalsThatHoldTheTimesOfOtherPrograms) {
     EXPECT_GE(covered, 0.85 * kTrials) << "95 % are promised, of times with their noise";
 }
 
-TEST_F(Recordings, OfAProgramThatEndsNotAreRefusedByName) {
+TEST_F(TimesFit, NamesProgramWithoutCompletedRun) {
     add("G1 X9999 F100\nM2\n");
     const auto found = fit_times(router(400, 0.03), runs_,
                                  Predictor::of(runs_, {"rs274ngc"}, router(400, 0.03)).value(), {});

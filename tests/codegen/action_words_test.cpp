@@ -20,7 +20,7 @@ std::optional<std::string> block(std::string_view action, double unit_mm = 1) {
     return ActionBlocks(kBlocks).find_block(action, unit_mm);
 }
 
-TEST(ActionBlocks, ANameWithoutPlacesGoesFirst) {
+TEST(ActionBlocks, PrefersNameWithoutPlaceholder) {
     EXPECT_EQ(block("stop"), "M0");
     EXPECT_EQ(block("quiet"), "") << "the control does so by itself";
     EXPECT_EQ(block("turn 90"), "M19");
@@ -28,7 +28,7 @@ TEST(ActionBlocks, ANameWithoutPlacesGoesFirst) {
     EXPECT_EQ(block("turn -3"), "M19 R-3");
 }
 
-TEST(ActionBlocks, PlacesTakeWhatTheirNamesSay) {
+TEST(ActionBlocks, PlaceholderMatchesOnlyItsKindOfValue) {
     EXPECT_EQ(block("output 7 on"), "#1107=1");
     EXPECT_EQ(block("output 17 on"), "#1117=1");
     EXPECT_EQ(block("output 117 on"), std::nullopt);
@@ -40,12 +40,12 @@ TEST(ActionBlocks, PlacesTakeWhatTheirNamesSay) {
 }
 
 // The text after the inner brace was taken for a separate placeholder, and the name left by its end.
-TEST(ActionBlocks, ABraceWithinAPlaceIsPartOfItsName) {
+TEST(ActionBlocks, BraceInPlaceholderIsPartOfItsName) {
     const ActionBlocks::Blocks blocks{{"turn {{angle} degrees", "M19 R{{angle}"}};
     EXPECT_EQ(ActionBlocks(blocks).find_block("turn 90 degrees", 1), "M19 R90");
 }
 
-TEST(ActionBlocks, TextsEndWhereWhatIsBehindThemBegins) {
+TEST(ActionBlocks, TextPlaceholderStopsAtNextLiteral) {
     EXPECT_EQ(block("say hello there (so)"), "(MSG,hello there)");
     EXPECT_EQ(block("say hello"), "(PRINT,hello)");
     EXPECT_EQ(block("say (hello)"), std::nullopt) << "no comment could hold it";

@@ -17,7 +17,7 @@ std::string lua(const std::string& comment) {
     return ngc_lua_of("(" + comment + ")");
 }
 
-TEST(ActiveComments, EachOfThem) {
+TEST(ActiveComments, BecomeLuaCalls) {
     EXPECT_EQ(lua("MSG,hello"), "MSG(\"hello\")");
     EXPECT_EQ(lua("msg, hello "), "MSG(\" hello \")") << "blanks belong to the text";
     EXPECT_EQ(lua(" debug,x"), "DEBUG(\"x\")");
@@ -36,7 +36,7 @@ TEST(ActiveComments, EachOfThem) {
 }
 
 /// As LinuxCNC separates them.
-TEST(ActiveComments, OthersOnlyTell) {
+TEST(ActiveComments, OrdinaryCommentsProduceNoLua) {
     for (const char* comment :
          {"", "a note", "MSG", "MSG hello", "debug , x", "DEBUGX,#1", "LOGCLOSED", "PROBECLOSE now",
           "abort x", "abort , x", "python", "PYRELOADED", "see MSG,x", "PRINT #1", "LOG #1"})
@@ -44,7 +44,7 @@ TEST(ActiveComments, OthersOnlyTell) {
     EXPECT_EQ(lua_of("(MSG,hello)"), "") << "not in the 9/Series";
 }
 
-TEST(ActiveComments, OnlyTheLastOneOfABlockActs) {
+TEST(ActiveComments, OnlyLastCommentOfBlockActs) {
     EXPECT_EQ(ngc_lua_of("(MSG,a)(MSG,b)"), "MSG(\"b\")");
     EXPECT_EQ(ngc_lua_of("(MSG,a)(note)"), "");
     EXPECT_EQ(ngc_lua_of("(note)(MSG,a)"), "MSG(\"a\")");
@@ -64,7 +64,7 @@ TEST(ActiveComments, ActBeforeTheirBlock) {
 }
 
 /// LinuxCNC reads the text after an O-word as part of it.
-TEST(ActiveComments, DoNothingBehindAnOWord) {
+TEST(ActiveComments, HaveNoEffectAfterOWord) {
     const Translated result =
         translated_ngc("o1 if [1] (MSG,a)\n(MSG,b)\no1 endif (MSG,c)\nO12 (MSG,d)\nM2\n");
     ASSERT_TRUE(result.ok) << result.messages;
@@ -75,12 +75,12 @@ TEST(ActiveComments, DoNothingBehindAnOWord) {
 }
 
 /// Comments may read the position at all times, expressions not while cutter compensation is on.
-TEST(ActiveComments, ShowThePosition) {
+TEST(ActiveComments, PositionNumbersBecomeNamedParameters) {
     EXPECT_EQ(lua("PRINT,#5420 #5428"), "PRINT(\"%f %f\", parameter(\"_x\"), parameter(\"_w\"))");
     EXPECT_EQ(lua("PRINT,#5419 #5429"), "PRINT(\"%f %f\", v[5419], v[5429])");
 }
 
-TEST(ActiveComments, Values) {
+TEST(ActiveComments, PassParametersAsValues) {
     EXPECT_EQ(lua("DEBUG,a #1 b #<Na me>"), "DEBUG(\"a %f b %f\", v[1], parameter(\"name\"))");
     EXPECT_EQ(lua("DEBUG,#01#02"), "DEBUG(\"%f%f\", v[1], v[2])");
     EXPECT_EQ(lua("DEBUG,#5601 #5602 #0 #99999999999999999999"),
@@ -91,7 +91,7 @@ TEST(ActiveComments, Values) {
     EXPECT_EQ(lua("MSG,#1 %d"), "MSG(\"#1 %d\")") << "MSG shows its text as it stands";
 }
 
-TEST(ActiveComments, Formats) {
+TEST(ActiveComments, FormatAppliesToAllLaterValues) {
     EXPECT_EQ(lua("DEBUG,%d#1 #2 %.3f#3 %f#4"), "DEBUG(\"%.0f %.0f %.3f %.4f\", v[1], v[2], v[3], v[4])")
         << "a format holds for all values behind it";
     EXPECT_EQ(lua("DEBUG,100% %s %x %.10f %.f %5.3f %n"), "DEBUG(\"100%% %%s %%x %%.10f %%.f %%5.3f %%n\")");
@@ -99,7 +99,7 @@ TEST(ActiveComments, Formats) {
     EXPECT_EQ(lua("DEBUG,%."), "DEBUG(\"%%.\")");
 }
 
-TEST(ActiveComments, NotMoreValuesThanACallTakes) {
+TEST(ActiveComments, RejectMoreThan50Values) {
     std::string values;
     for (int i = 1; i <= 50; ++i) values += fmt::format("#{}", i);
     EXPECT_EQ(compile_error(translated_ngc("(DEBUG," + values + ")\n").lua), std::nullopt);
@@ -110,7 +110,7 @@ TEST(ActiveComments, NotMoreValuesThanACallTakes) {
 }
 
 /// Texts of all bytes that a comment can hold: the Lua must compile and hold no other statement.
-TEST(ActiveComments, TextsCannotEndTheString) {
+TEST(ActiveComments, TextCannotEndLuaString) {
     for (const std::string text :
          {"\"", "\\", "\\\"", "\" .. os.exit{1} .. \"", "\\\\\"", "]]", "--", "\r", "\x1b[2J", "\\z",
           "\xff\xfe", "\\x", "\\10", "%\"d", "#<\\>", "#<\" .. x .. \">"}) {
@@ -135,7 +135,7 @@ TEST(ActiveComments, TextsCannotEndTheString) {
     }
 }
 
-TEST(LuaText, NamesAndStrings) {
+TEST(LuaText, ChecksNamesAndEscapesStrings) {
     for (const char* name : {"a", "_a", "A9", "width", "endif", "_ENV"})
         EXPECT_TRUE(is_lua_name(name)) << name;
     for (const char* name : {"", "9a", "end", "goto", "not", "nil", "a-b", "a.b", "a b", "\xc3\xa4"})
@@ -145,7 +145,7 @@ TEST(LuaText, NamesAndStrings) {
     EXPECT_EQ(out, "\"a\\\"\\\\\\x0A\\x0D\\x00\\x7F\\xE4z\"");
 }
 
-TEST(LuaText, NamesOfParameters) {
+TEST(LuaText, QuotesParameterNamesInvalidInLua) {
     EXPECT_EQ(ngc_lua_of("#<end>=1 X#<2nd edge> Y#<_a> Z#<a-b>"),
               "do local w1, w2, w3 = p[\"2ndedge\"], p._a, p[\"a-b\"] p[\"end\"] = 1.0 "
               "move{x=w1, y=w2, z=w3} end");

@@ -14,7 +14,7 @@ struct Wrong {
 
 class BlockErrors : public testing::TestWithParam<Wrong> {};
 
-TEST_P(BlockErrors, WordForWord) {
+TEST_P(BlockErrors, ReportsExactMessage) {
     const Translated result = translated(fmt::format("{}\nG1 X1\n", GetParam().block));
     EXPECT_FALSE(result.ok);
     EXPECT_EQ(result.lua, "");

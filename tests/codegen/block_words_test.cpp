@@ -20,7 +20,7 @@ TEST(BlockWords, CodesAreNormalised) {
     EXPECT_EQ(lua_of("G599"), "G599()");
 }
 
-TEST(BlockWords, AxisWordsGoWithTheCodeOfTheirBlockOrTheModalMotion) {
+TEST(BlockWords, AxisWordsBelongToCodeOfBlockOrModalMotion) {
     EXPECT_EQ(lua_of("X5"), "move{x=5}");
     EXPECT_EQ(lua_of("U5 V6 W7 A8"), "move{u=5, v=6, w=7, a=8}");
     EXPECT_EQ(lua_of("X5 G0"), "G0{x=5}");
@@ -32,7 +32,7 @@ TEST(BlockWords, AxisWordsGoWithTheCodeOfTheirBlockOrTheModalMotion) {
     EXPECT_EQ(lua_of("G92 G1 X1"), "G92{x=1} G1()") << "G92 takes the axis words, G1 holds from here on";
 }
 
-TEST(BlockWords, Arcs) {
+TEST(BlockWords, ArcCodesTakeCentreRadiusOrAngle) {
     EXPECT_EQ(lua_of("G2 X1 Y2 I3 J4"), "G2{x=1, y=2, i=3, j=4}");
     EXPECT_EQ(lua_of("X1 R5 G3"), "G3{x=1, r=5}");
     EXPECT_EQ(lua_of("G3 AR=90 I5"), "G3{ar=90, i=5}");
@@ -40,13 +40,13 @@ TEST(BlockWords, Arcs) {
     EXPECT_EQ(lua_of("G2"), "G2()") << "the bare code selects the motion";
 }
 
-TEST(BlockWords, Dwell) {
+TEST(BlockWords, DwellTakesPOrX) {
     EXPECT_EQ(lua_of("X5 F200 G04"), "F(200) G4{x=5}");
     EXPECT_EQ(lua_of("X5 M8 G04"), "M8() G4{x=5}");
     EXPECT_EQ(lua_of("G4 P[#1/2]"), "G4{p=v[1] / 2.0}");
 }
 
-TEST(BlockWords, Subprograms) {
+TEST(BlockWords, CallAndReturnFollowMoveOfBlock) {
     EXPECT_EQ(lua_of("O2;M98 P0002 L03"), "program(2, function() M98{p=2, l=03}");
     EXPECT_EQ(lua_of("P#1 M98"), "M98{p=v[1]}");
     EXPECT_EQ(lua_of("M99"), "do return (M99()) end");
@@ -55,7 +55,7 @@ TEST(BlockWords, Subprograms) {
     EXPECT_EQ(lua_of("M99 X5"), "move{x=5} do return (M99()) end") << "the move, then the return";
 }
 
-TEST(BlockWords, InTheOrderOfTheController) {
+TEST(BlockWords, CodesActInOrderOfController) {
     EXPECT_EQ(lua_of("X1 G1 F100 G90 G21 G17"), "G17() G21() G90() F(100) G1{x=1}");
     EXPECT_EQ(lua_of("M9 X5 G1"), "G1{x=5} M9()") << "the jet goes off behind the move";
     EXPECT_EQ(lua_of("X5 G1 M8"), "M8() G1{x=5}") << "and on before it";
@@ -69,12 +69,12 @@ TEST(BlockWords, InTheOrderOfTheController) {
     EXPECT_EQ(lua_of("X1 F5 G93"), "G93() F(5) move{x=1}") << "F is understood in the block's own feed mode";
 }
 
-TEST(BlockWords, CodesOfDifferentGroupsMeet) {
+TEST(BlockWords, AcceptsCodesOfDifferentGroups) {
     EXPECT_EQ(lua_of("G17 G40 G80 G90 G54 G94 G00"), "G17() G40() G80() G90() G54() G94() G0()");
     EXPECT_EQ(lua_of("D1 H1"), "D(1) H(1)");
 }
 
-TEST(BlockWords, OneShotsWithoutAMoveAreDropped) {
+TEST(BlockWords, WarnsAboutOneShotCodeWithoutMove) {
     const Translated result = translated("G53\nG1 X1\nG9 F5\n");
     EXPECT_TRUE(result.ok);
     EXPECT_EQ(result.messages,
@@ -84,7 +84,7 @@ TEST(BlockWords, OneShotsWithoutAMoveAreDropped) {
     EXPECT_EQ(result.code(3), "F(5)");
 }
 
-TEST(BlockWords, BareCodesSwitchOff) {
+TEST(BlockWords, BareCodesBecomeCallsWithoutArguments) {
     EXPECT_EQ(lua_of("G14"), "G14()");
     EXPECT_EQ(lua_of("G14.1"), "G14_1()");
     EXPECT_EQ(lua_of("G40 G49 G80 G23 G69 G67"), "G40() G49() G80() G23() G69() G67()");
@@ -107,7 +107,7 @@ TEST(BlockWords, CodesTakeTheirWords) {
     EXPECT_EQ(lua_of("G22 X1 I5"), "G22{x=1, i=5}");
 }
 
-TEST(BlockWords, MacroCalls) {
+TEST(BlockWords, MacroCallsPassWordsAsArguments) {
     EXPECT_EQ(lua_of("G65 P9010 A1 B2 X3"), "G65{p=9010, a=1, b=2, x=3}");
     EXPECT_EQ(lua_of("G65 P1 F5 S6 T7 D8 H9"), "G65{p=1, f=5, s=6, t=7, d=8, h=9}") << "arguments, not F(5)";
     EXPECT_EQ(lua_of("G65 P1 I1 J2 K3 I4 J5"),
@@ -119,14 +119,14 @@ TEST(BlockWords, MacroCalls) {
     EXPECT_EQ(lua_of("G67"), "G67()");
 }
 
-TEST(BlockWords, UserCodes) {
+TEST(BlockWords, UserCodesLeaveAxisWordsToMove) {
     EXPECT_EQ(lua_of("M101"), "M[101]()");
     EXPECT_EQ(lua_of("M999 P1 Q[#1] D5"), "M[999]{p=1, q=v[1], d=5}");
     EXPECT_EQ(lua_of("X5 M101 P1"), "M[101]{p=1} move{x=5}") << "axis words are the move's";
     EXPECT_EQ(lua_of("M0100"), "M[100]()");
 }
 
-TEST(BlockWords, Corners) {
+TEST(BlockWords, CornerWordsPrecedeMove) {
     EXPECT_EQ(lua_of("G1 X10 ,R2"), "corner(2) G1{x=10}");
     EXPECT_EQ(lua_of(",C1.5 X10 F5"), "F(5) chamfer(1.5) move{x=10}");
     EXPECT_EQ(lua_of("X10 ,A30 ,C[#1]"), "line_angle(30) chamfer(v[1]) move{x=10}");
@@ -137,7 +137,7 @@ TEST(BlockWords, Corners) {
     EXPECT_EQ(lua_of("/3 X1 ,C2"), "if not skipped(3) then chamfer(2) move{x=1} end");
 }
 
-TEST(BlockWords, BlockDelete) {
+TEST(BlockWords, BlockDeleteMakesBlockConditional) {
     EXPECT_EQ(lua_of("/X5"), "if not skipped(1) then move{x=5} end");
     EXPECT_EQ(lua_of("/3 #1=5"), "if not skipped(3) then v[1] = 5.0 end");
     EXPECT_EQ(lua_of("/2 M99"), "if not skipped(2) then do return (M99()) end end");
@@ -147,7 +147,7 @@ TEST(BlockWords, BlockDelete) {
     EXPECT_EQ(lua_of("/"), "");
 }
 
-TEST(BlockWords, Aliases) {
+TEST(BlockWords, AliasesReplaceCodes) {
     TranslateOptions options;
     ASSERT_FALSE(options.aliases.add("WaterJetOn", "M08"));
     ASSERT_FALSE(options.aliases.add("Linear", "G01"));

@@ -63,7 +63,7 @@ void expect_sound_map(const Mapped& full) {
     }
 }
 
-TEST(ProgramMap, ProgramsAndTheirBodies) {
+TEST(ProgramMap, FindsProgramsAndTheirBodies) {
     const Mapped full = mapped("%\nO0001\nX1\nM98 P2\nM2\n%\nO2\nM99\nOPART\nM99\n");
     ASSERT_EQ(full.translation.programs.size(), 3U);
     EXPECT_EQ(full.translation.programs[0].head, "program(1, ");
@@ -74,7 +74,7 @@ TEST(ProgramMap, ProgramsAndTheirBodies) {
     expect_sound_map(full);
 }
 
-TEST(ProgramMap, WithoutAnOWord) {
+TEST(ProgramMap, HasUnnamedProgramWithoutOWord) {
     const Mapped full = mapped("X1\nX2\n");
     ASSERT_EQ(full.translation.programs.size(), 1U);
     EXPECT_EQ(full.translation.programs[0].head, "program(nil, ");
@@ -82,7 +82,7 @@ TEST(ProgramMap, WithoutAnOWord) {
     expect_sound_map(full);
 }
 
-TEST(ProgramMap, SubroutinesAndWhatIsBehindThem) {
+TEST(ProgramMap, ListsSubroutinesAndCodeAfterThem) {
     TranslateOptions options;
     options.dialect = &grammar::dialect_rs274ngc();
     const Mapped full = mapped("X1\no<a> sub\nX2\no<a> endsub\n\no7 sub\no7 endsub\nX3\n", options);
@@ -92,7 +92,7 @@ TEST(ProgramMap, SubroutinesAndWhatIsBehindThem) {
     expect_sound_map(full);
 }
 
-TEST(ProgramMap, RandomPrograms) {
+TEST(ProgramMap, ChunksOfRandomProgramsCompile) {
     std::mt19937 random(9);
     for (int i = 0; i < 100; ++i) {
         const std::string gcode = random_program(random, {.jumps = false});
@@ -121,7 +121,7 @@ TEST(ProgramMap, BigProgramsHaveCuts) {
     expect_sound_map(full);
 }
 
-TEST(ProgramMap, ACutBehindALineThatIsMoreThanCalls) {
+TEST(ProgramMap, CutsAfterLineWithMoreThanCalls) {
     const Mapped full = mapped(big_program(2000, "#1=5 (changed)\nX[#1]\n"));
     const std::vector<Cut>& cuts = full.translation.programs[0].cuts;
     ASSERT_EQ(cuts.size(), 1U);  // not after each of two
@@ -130,7 +130,7 @@ TEST(ProgramMap, ACutBehindALineThatIsMoreThanCalls) {
     expect_sound_map(full);
 }
 
-TEST(ProgramMap, NoCutInALoopAndNoneWhereJumpsLead) {
+TEST(ProgramMap, HasNoCutInLoopOrProgramWithJumps) {
     std::string loop = "WHILE[#1 LT 5]DO1\n";
     for (int i = 0; i < 30000; ++i) loop += "X1\n";
     const Mapped looped = mapped(big_program(20000, loop + "END1\n"));

@@ -21,7 +21,7 @@ std::string lua_of_line(std::string_view line) {
     return result.ok ? result.code(1) : result.messages;
 }
 
-TEST(CommandLine, IsTakenApartByRunsOfLetters) {
+TEST(CommandLine, SplitsIntoCommandAndParameters) {
     const CommandLine line = command_line("  g1X10 Y-5.5 ; go\r");
     EXPECT_EQ(line.command, "G1");
     ASSERT_EQ(line.parameters.size(), 2u);
@@ -33,7 +33,7 @@ TEST(CommandLine, IsTakenApartByRunsOfLetters) {
     EXPECT_EQ(line.remark, "go");
 }
 
-TEST(CommandLine, PassesOverLineNumbers) {
+TEST(CommandLine, SkipsLineNumberBeforeCommand) {
     EXPECT_EQ(command_line("N10 G1 X5").command, "G1");
     EXPECT_EQ(command_line("N10").command, "N10");
     EXPECT_EQ(command_line("").command, "");
@@ -42,7 +42,7 @@ TEST(CommandLine, PassesOverLineNumbers) {
     EXPECT_EQ(command_line("(a remark)").command, "(A");
 }
 
-TEST(CommandLine, NamedParametersStandBetweenBlanks) {
+TEST(CommandLine, SplitsNamedParametersAtBlanks) {
     std::vector<Parameter> parameters;
     const std::string text = "SET_VELOCITY_LIMIT accel=500  VELOCITY=\"20\" # so";
     ASSERT_TRUE(named_parameters(command_line(text), parameters));
@@ -53,7 +53,7 @@ TEST(CommandLine, NamedParametersStandBetweenBlanks) {
     EXPECT_FALSE(named_parameters(command_line("SET_VELOCITY_LIMIT ACCEL"), parameters));
 }
 
-TEST(CommandWriter, MakesACallOfEachLine) {
+TEST(CommandWriter, WritesOneCallPerLine) {
     EXPECT_EQ(lua_of_line("G1 X10 Y+5 F600"), "G1{x=10, y=5, f=600}");
     EXPECT_EQ(lua_of_line("g0x.5e-1"), "G0{x=.5, e=-1}");
     EXPECT_EQ(lua_of_line("M400"), "M400()");
@@ -62,7 +62,7 @@ TEST(CommandWriter, MakesACallOfEachLine) {
     EXPECT_EQ(lua_of_line("SAVE_GCODE_STATE NAME=before"), "SAVE_GCODE_STATE{name=\"before\"}");
 }
 
-TEST(CommandWriter, LineNOfTheProgramIsLineNPlus1) {
+TEST(CommandWriter, WritesLineNToLuaLineNPlus1) {
     const Translated result = klipper("G21\n\n; so\nG1 X1\nG1 X2");
     EXPECT_EQ(result.code(1), "G21()");
     EXPECT_EQ(result.code(2), "");
@@ -75,7 +75,7 @@ TEST(CommandWriter, LineNOfTheProgramIsLineNPlus1) {
 }
 
 // Klipper reads on past these; a warning reports each once.
-TEST(CommandWriter, WhatHasNoEffectIsSaidOnceWithTheCount) {
+TEST(CommandWriter, WarnsOnceWithCountAboutIgnoredWords) {
     const Translated result = klipper("G21 G90 G94\nM6\nX40\nM6\nG4 S2\nG01 X5\nG28\n");
     EXPECT_TRUE(result.ok);
     EXPECT_EQ(result.code(1), "G21()");
@@ -92,14 +92,14 @@ TEST(CommandWriter, WhatHasNoEffectIsSaidOnceWithTheCount) {
               "7:1: warning: G28 (homing) is not simulated: no effect (1 in total)\n");
 }
 
-TEST(CommandWriter, TheLastOfTwoLikeParametersCounts) {
+TEST(CommandWriter, UsesLastOfRepeatedParameter) {
     const Translated result = klipper("G1 X5 X7\n");
     EXPECT_EQ(result.code(1), "G1{x=7}");
     EXPECT_EQ(result.messages,
               "1:7: warning: X is given twice after G1: the last one is used (1 in total)\n");
 }
 
-TEST(CommandWriter, WhatIsNoNumberIsAnError) {
+TEST(CommandWriter, RejectsMalformedParameters) {
     EXPECT_TRUE(lua_of_line("G1 X10 (a remark)")
                     .starts_with("1:4: error: '10 (' after X is not a number, which ends the program\n"));
     EXPECT_EQ(lua_of_line("G1 Y"), "1:4: error: '' after Y is not a number, which ends the program\n");
@@ -107,7 +107,7 @@ TEST(CommandWriter, WhatIsNoNumberIsAnError) {
               "1:1: error: SET_VELOCITY_LIMIT requires its parameters as NAME=VALUE\n");
 }
 
-TEST(CommandWriter, ALineThatIsTooLongIsAnError) {
+TEST(CommandWriter, RejectsTooLongLine) {
     const Translated result = klipper("G1 X1" + std::string(100'000, ' ') + "\nG1 X2\n");
     EXPECT_FALSE(result.ok);
     EXPECT_EQ(result.messages, "1:1: error: the line has more than 65536 bytes\n");

@@ -14,7 +14,7 @@ std::string messages(const std::string& gcode) {
     return result.messages;
 }
 
-TEST(Loops, BecomeLoopsOfLua) {
+TEST(Loops, BecomeLuaLoops) {
     const Translated result =
         translated("WHILE[#1 LT 5]DO1\nWHILE[#2]DO2\n#1=#1+1\nEND2\nEND1\nWHILE[1 EQ 1]DO1\nEND1\n");
     ASSERT_TRUE(result.ok) << result.messages;
@@ -23,7 +23,7 @@ TEST(Loops, BecomeLoopsOfLua) {
     EXPECT_EQ(result.code(4), "end");
 }
 
-TEST(Loops, Errors) {
+TEST(Loops, RejectsUnmatchedWhileAndEnd) {
     EXPECT_EQ(messages("X1\nWHILE[1]DO2\nX1\n"), "2:11: error: WHILE has no END 2\n");
     EXPECT_EQ(messages("WHILE[1]DO2\nO2\nEND2\n"),
               "1:11: error: WHILE has no END 2\n3:4: error: END 2 has no WHILE\n");
@@ -34,7 +34,7 @@ TEST(Loops, Errors) {
               "2:11: error: DO 1 is already open since line 1; nested loops must have different numbers\n");
 }
 
-TEST(Jumps, OnlyTargetsGetALabel) {
+TEST(Jumps, OnlyTargetsGetLabels) {
     const Translated result = translated("N1 X1\nN02 X2\nIF[#1 EQ 5]GOTO002\nGOTO2\nN3 X3\n");
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_EQ(result.code(1), "move{x=1}");
@@ -44,7 +44,7 @@ TEST(Jumps, OnlyTargetsGetALabel) {
     EXPECT_EQ(result.code(5), "move{x=3}");
 }
 
-TEST(Jumps, ComputedOnesReachAnyNOutsideOfLoops) {
+TEST(Jumps, ComputedJumpReachesAnyBlockOutsideLoops) {
     const Translated result = translated("N1 X1\nGOTO#1\nWHILE[1]DO1\nN2 X2\nEND1\nN3 M2\n");
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_TRUE(
@@ -58,7 +58,7 @@ TEST(Jumps, ComputedOnesReachAnyNOutsideOfLoops) {
     EXPECT_EQ(compile_error(result.lua), std::nullopt);
 }
 
-TEST(Jumps, ComputedOnesInALoopReachItsBlocksToo) {
+TEST(Jumps, ComputedJumpInLoopReachesBlocksOfLoop) {
     const Translated result =
         translated("WHILE[1]DO1\nN1 X1\nWHILE[2]DO2\nGOTO#1\nN2 X2\nEND2\nEND1\nN3 M2\n");
     ASSERT_TRUE(result.ok) << result.messages;
@@ -70,7 +70,7 @@ TEST(Jumps, ComputedOnesInALoopReachItsBlocksToo) {
     EXPECT_EQ(compile_error(result.lua), std::nullopt);
 }
 
-TEST(Jumps, Errors) {
+TEST(Jumps, RejectsInvalidTargets) {
     EXPECT_EQ(messages("GOTO5\n"), "1:5: error: GOTO 5: N5 does not exist in this program\n");
     EXPECT_EQ(messages("O1\nGOTO5\nO2\nN5\n"), "2:5: error: GOTO 5: N5 does not exist in this program\n");
     EXPECT_EQ(messages("GOTO6\nWHILE[1]DO1\nN6\nEND1\n"),
@@ -85,20 +85,20 @@ TEST(Jumps, Errors) {
     EXPECT_EQ(messages("N7\nN7\n"), "") << "without a GOTO it does not matter";
 }
 
-TEST(Jumps, OutOfALoopAndWithinItAreAllowed) {
+TEST(Jumps, AcceptsJumpsWithinAndOutOfLoop) {
     const Translated result =
         translated("WHILE[1]DO1\nN1 IF[#1]GOTO2\nGOTO1\nWHILE[1]DO2\nGOTO1\nEND2\nEND1\nN2\n");
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_EQ(compile_error(result.lua), std::nullopt);
 }
 
-TEST(Jumps, AnErrorInOneBlockBringsNoOther) {
+TEST(Jumps, BlockErrorCausesNoSecondError) {
     EXPECT_EQ(messages("GOTO5\nN5 @\n"), "2:4: error: unexpected character '@'\n") << "N5 is there";
     EXPECT_EQ(messages("O1\nGOTO5\nN5\nO2 @\nGOTO6\nN6\n"), "4:4: error: unexpected character '@'\n");
     EXPECT_EQ(messages("GOTO5\nN5 X1 X2\n"), "2:7: error: X is given twice in the block\n");
 }
 
-TEST(Jumps, AsManyAsLuaTakes) {
+TEST(Jumps, RejectsMoreThan32000JumpsOrTargets) {
     std::string gcode = "GOTO#1\n";
     for (int i = 1; i <= 32000; ++i) gcode += fmt::format("N{}\n", i);
     const Translated max = translated(gcode);
@@ -114,7 +114,7 @@ TEST(Jumps, AsManyAsLuaTakes) {
               "function\n");
 }
 
-TEST(Jumps, NotFartherThanLuaReaches) {
+TEST(Jumps, RejectsJumpTooFarForLua) {
     std::string far = "O1\nWHILE[#1]DO1\n";
     for (int i = 0; i < 650000; ++i) far += "X1Y2Z3B4\n";
     EXPECT_EQ(messages(far + "END1\n"),
@@ -124,7 +124,7 @@ TEST(Jumps, NotFartherThanLuaReaches) {
               "2:5: error: GOTO 5 jumps too far for Lua; move the skipped blocks to a subprogram\n");
 }
 
-TEST(Programs, NamesAndCalls) {
+TEST(Programs, ReportsDuplicateNamesAndUnknownCalls) {
     EXPECT_EQ(messages("O1\nM2\nO0001\n"), "3:2: error: the program O0001 is defined twice in this file\n");
     EXPECT_EQ(messages("OPART\nOPART\n"), "2:1: error: the program OPART is defined twice in this file\n");
     EXPECT_EQ(
@@ -137,7 +137,7 @@ TEST(Programs, NamesAndCalls) {
     EXPECT_EQ(result.code(5), "end) program(2, function()");
 }
 
-TEST(Errors, StopAtTheNumberAllowed) {
+TEST(Errors, TranslationStopsAfterMaxErrors) {
     TranslateOptions options;
     options.source_name = "t";
     options.max_errors = 2;

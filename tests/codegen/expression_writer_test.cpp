@@ -23,7 +23,7 @@ TEST(Expressions, NumbersAreFloats) {
     EXPECT_EQ(lua("123456789012345678901234"), "123456789012345678901234.0") << "no integer, so no overflow";
 }
 
-TEST(Expressions, AMinusCannotStartAComment) {
+TEST(Expressions, MinusSignsCannotStartLuaComment) {
     EXPECT_EQ(lua("-5"), "(-5.0)");
     EXPECT_EQ(lua("2--5"), "2.0 - (-5.0)");
     EXPECT_EQ(lua("2-[-[-5]]"), "2.0 - (-(-5.0))");
@@ -31,7 +31,7 @@ TEST(Expressions, AMinusCannotStartAComment) {
     EXPECT_EQ(lua_of("X-#1"), "move{x=(-v[1])}");
 }
 
-TEST(Expressions, BracketsStandWhereTheOrderNeedsThem) {
+TEST(Expressions, WritesBracketsOnlyIfNeeded) {
     EXPECT_EQ(lua("[1+2]*3"), "(1.0 + 2.0) * 3.0");
     EXPECT_EQ(lua("[1*2]+3"), "1.0 * 2.0 + 3.0");
     EXPECT_EQ(lua("1-[2-3]"), "1.0 - (2.0 - 3.0)");
@@ -41,14 +41,14 @@ TEST(Expressions, BracketsStandWhereTheOrderNeedsThem) {
     EXPECT_EQ(lua("-[1+2]"), "(-(1.0 + 2.0))");
 }
 
-TEST(Expressions, ADivisorThatMayBeZeroIsChecked) {
+TEST(Expressions, ChecksDivisorIfItMayBeZero) {
     EXPECT_EQ(lua("1/2"), "1.0 / 2.0");
     EXPECT_EQ(lua("1/0"), "div(1.0, 0.0)");
     EXPECT_EQ(lua("1/0.00"), "div(1.0, 0.00)");
     EXPECT_EQ(lua("1/#2*3"), "div(1.0, v[2]) * 3.0");
 }
 
-TEST(Expressions, VariablesAndFunctions) {
+TEST(Expressions, WritesVariablesAndFunctions) {
     EXPECT_EQ(lua("#5"), "v[5]");
     EXPECT_EQ(lua("##5"), "v[v[5]]");
     EXPECT_EQ(lua("#[#1+2]"), "v[v[1] + 2.0]");
@@ -59,7 +59,7 @@ TEST(Expressions, VariablesAndFunctions) {
     EXPECT_EQ(lua_of("#[#1]=#2 #3=4"), "v[v[1]] = v[2] v[3] = 4.0");
 }
 
-TEST(Expressions, TruthAndNumbersTurnIntoEachOther) {
+TEST(Expressions, ConvertsBetweenConditionsAndNumbers) {
     EXPECT_EQ(lua("[#1 EQ 5]+1"), "number(v[1] == 5.0) + 1.0");
     EXPECT_EQ(lua_of("IF[#1 NE #0]THEN X1"), "if v[1] ~= v[0] then move{x=1} end");
     EXPECT_EQ(lua_of("IF[#1]THEN X1"), "if truth(v[1]) then move{x=1} end");

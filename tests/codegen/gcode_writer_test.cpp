@@ -26,7 +26,7 @@ struct Text {
     GcodeWriter writer;
 };
 
-TEST(GcodeWriter, WordsThatHaveNotChangedAreLeftOut) {
+TEST(GcodeWriter, OmitsUnchangedWords) {
     Text ngc("rs274ngc");
     ngc.to(1, 2, 3, 0);
     ngc.to(1, 2.5, 3, 0);
@@ -35,14 +35,14 @@ TEST(GcodeWriter, WordsThatHaveNotChangedAreLeftOut) {
     EXPECT_EQ(ngc.all(), "G01 X1 Y2 Z3 B0 F1000\nY2.5\nG00 Z9\n");
 }
 
-TEST(GcodeWriter, VerboseWritesThemAll) {
+TEST(GcodeWriter, VerboseOptionWritesAllWords) {
     Text ngc("rs274ngc", {.inch = false, .verbose_words = true});
     ngc.to(1, 2, 3, 0);
     ngc.to(1, 2.5, 3, 0);
     EXPECT_EQ(ngc.all(), "G01 X1 Y2 Z3 B0 F1000\nG01 X1 Y2.5 Z3 B0 F1000\n");
 }
 
-TEST(GcodeWriter, NumbersByDialect) {
+TEST(GcodeWriter, FormatsNumbersByPost) {
     Text ab9("ab9"), fanuc("fanuc"), ngc("rs274ngc", {.inch = true, .verbose_words = false});
     for (Text* each : {&ab9, &fanuc, &ngc}) each->to(500, -0.0004, 25.4, -360);
     EXPECT_EQ(ab9.all(), "N00005 G01 X500.000 Y0.000 Z25.400 B-360.000 F1000.000\n");
@@ -50,7 +50,7 @@ TEST(GcodeWriter, NumbersByDialect) {
     EXPECT_EQ(ngc.all(), "G01 X19.68504 Y-0.00002 Z1 B-360 F39.37\n");
 }
 
-TEST(GcodeWriter, AnArcThroughAPointIsWrittenWithItsPointInFull) {
+TEST(GcodeWriter, WritesFullIntermediatePointOfArc) {
     Text ab9("ab9");
     ab9.to(0, 0, 0, 0);
     ab9.writer.arc_through(std::array{20.0, 0.0, 0.0, 0.0}, {10, 0, 10.0004}, kFeed);
@@ -63,7 +63,7 @@ TEST(GcodeWriter, AnArcThroughAPointIsWrittenWithItsPointInFull) {
               "N00020 G01 X1.000\n");
 }
 
-TEST(GcodeWriter, CentresAreCountedFromWhatIsPrinted) {
+TEST(GcodeWriter, MeasuresCentresFromPrintedPosition) {
     Text ab9("ab9");
     ab9.to(10.0004, 0, 0, 0);
     ab9.writer.arc(std::array{20.0004, 10.0, 0.0, 0.0}, {Plane::xy, true, {10.0003, 0, 0}}, kFeed);
@@ -75,7 +75,7 @@ TEST(GcodeWriter, CentresAreCountedFromWhatIsPrinted) {
               "N00015 X30.000 Y0.000 I0.000 J-10.000\n");
 }
 
-TEST(GcodeWriter, AccelerationsWhereThePostHasWordsForThem) {
+TEST(GcodeWriter, WritesAccelerationIfPostSupportsIt) {
     Text ab9("ab9"), ngc("rs274ngc");
     for (Text* each : {&ab9, &ngc}) {
         each->writer.acceleration(500);
@@ -91,7 +91,7 @@ TEST(GcodeWriter, AccelerationsWhereThePostHasWordsForThem) {
     EXPECT_TRUE(inch.all().starts_with("N00005 G48.1 X10.000 Y10.000 Z10.000\n"));
 }
 
-TEST(GcodeWriter, ArcsOfEachPlane) {
+TEST(GcodeWriter, WritesArcsInEachPlane) {
     Text ngc("rs274ngc");
     ngc.to(10, 0, 0, 0);
     ngc.writer.arc(std::array{0.0, 10.0, 5.0, 0.0}, {Plane::xy, false, {-10, 0, 0}}, kFeed);
@@ -103,7 +103,7 @@ TEST(GcodeWriter, ArcsOfEachPlane) {
               "G19 Y20 Z15 J10 K0\nG18 X10 Z5 I0 K-10\n");
 }
 
-TEST(GcodeWriter, AfterACallNothingIsKnown) {
+TEST(GcodeWriter, WritesAllWordsAfterCall) {
     Text ab9("ab9");
     ab9.to(1, 2, 3, 4);
     ab9.writer.text().placeholders()["number"] = "0007";
@@ -115,7 +115,7 @@ TEST(GcodeWriter, AfterACallNothingIsKnown) {
               "N00015 G01 X1.000 Y2.000 Z3.000 B4.000 F1000.000\n");
 }
 
-TEST(GcodeWriter, ActionsDwellsAndComments) {
+TEST(GcodeWriter, WritesActionsAndDwells) {
     Text ab9("ab9");
     ab9.writer.action("waterjet_on");
     ab9.writer.action("clamp (left) \xc3\xa4;");
@@ -125,7 +125,7 @@ TEST(GcodeWriter, ActionsDwellsAndComments) {
               "?)\nN00010 G04 P0.250\n");
 }
 
-TEST(GcodeWriter, BlockNumbersBeginAnewBeforeTheyGrowTooLong) {
+TEST(GcodeWriter, RestartsBlockNumbersBeforeOverflow) {
     Text ab9("ab9");
     for (int i = 0; i < 20'000; ++i) ab9.writer.dwell(1);
     const std::string text = ab9.all();
@@ -133,7 +133,7 @@ TEST(GcodeWriter, BlockNumbersBeginAnewBeforeTheyGrowTooLong) {
 }
 
 // All axes are written again after the retract, and after another system.
-TEST(GcodeWriter, OffsetsAreSetAndTheToolGoesUp) {
+TEST(GcodeWriter, WritesAllAxesAfterRetractAndNewOffset) {
     Text ngc("rs274ngc", {.inch = true}), ab9("ab9");
     for (Text* each : {&ngc, &ab9}) {
         each->writer.offsets().set_origin("59.1", {25.4, -50.8, 0});
@@ -149,7 +149,7 @@ TEST(GcodeWriter, OffsetsAreSetAndTheToolGoesUp) {
     EXPECT_EQ(ab9.all().substr(0, 51), "N00005 G10 L2 P7 X25.400 Y-50.800 Z0.000\nN00010 G01");
 }
 
-TEST(PostFile, TheBuiltInOnesAreThere) {
+TEST(PostFile, FindsBuiltInPosts) {
     for (const std::string name : {"ab9", "fanuc", "rs274ngc", "grbl"}) {
         EXPECT_EQ(find_post(name).value().name, name);
     }
@@ -158,7 +158,7 @@ TEST(PostFile, TheBuiltInOnesAreThere) {
               "unknown post 'gbrl'; use ab9, fanuc, rs274ngc, grbl, or a file that ends in .toml");
 }
 
-TEST(PostFile, NamesOfSubprogramsFilesAreHarmlessAndTheirOwn) {
+TEST(PostFile, RejectsUnsafeSubprogramFileNames) {
     const auto error_of = [](const std::string& file) {
         const auto post = read_post(
             "name = \"p\"\nreads_as = \"ab9\"\n[numbers]\ndecimals_mm = 3\ndecimals_inch = 4\n"
@@ -188,7 +188,7 @@ TEST(PostFile, NamesOfSubprogramsFilesAreHarmlessAndTheirOwn) {
     EXPECT_NE(error_of(std::string(101, 'a') + "{number}"), "");
 }
 
-TEST(PostFile, SaysHowTheControlGoesToReferencePoints) {
+TEST(PostFile, HasBlocksForReferencePoints) {
     const auto count = [](const std::string& name) { return find_post(name).value().references.go.size(); };
     EXPECT_EQ(count("ab9"), 4U);
     EXPECT_EQ(count("fanuc"), 4U);
@@ -196,14 +196,14 @@ TEST(PostFile, SaysHowTheControlGoesToReferencePoints) {
     EXPECT_EQ(count("grbl"), 2U) << "G28 and G30";
 }
 
-TEST(PostFile, SaysWhatAChangeOfTheToolStops) {
+TEST(PostFile, DefinesEffectOfToolChange) {
     const auto stops = [](const std::string& name) { return find_post(name).value().tool_change; };
     EXPECT_EQ(stops("rs274ngc"), (ToolChangeWords{true, false}));
     EXPECT_EQ(stops("fanuc"), (ToolChangeWords{true, true}));
     EXPECT_EQ(stops("ab9"), ToolChangeWords{});
 }
 
-TEST(PostFile, ErrorsNameThePlace) {
+TEST(PostFile, ErrorsNameSourceLocation) {
     const auto error = [](const std::string& text) { return read_post(text, "p").error().message; };
     EXPECT_EQ(error("name = 1"), "p:1:8: 'name' must be a string, not a number");
     EXPECT_EQ(error("nmae = \"x\""), "p:1:1: unknown key 'nmae' in the post; did you mean 'name'?");

@@ -17,7 +17,7 @@
 namespace gsim::codegen::language_page_test {
 namespace {
 
-TEST(LanguagePage, IsTheOneInTheDocuments) {
+TEST(LanguagePage, MatchesFileInDocs) {
     std::ifstream in(tests::source_path("docs/language.md"), std::ios::binary);
     ASSERT_TRUE(in) << "docs/language.md cannot be opened";
     const std::string page(std::istreambuf_iterator<char>(in), {});
@@ -54,7 +54,7 @@ TEST(LanguagePage, HasEveryCodeWithItsMeaning) {
               std::string::npos);
 }
 
-TEST(LanguagePage, HasEveryCommandWithAName) {
+TEST(LanguagePage, HasEveryNamedCommand) {
     const std::string klipper = page_part(grammar::dialect_klipper());
     for (const grammar::ExtendedCommand& command : grammar::dialect_klipper().rules().extended) {
         EXPECT_NE(klipper.find(fmt::format("\n| {} | ", command.name)), std::string::npos) << command.name;
@@ -84,7 +84,7 @@ TEST(LanguagePage, HasEveryFunctionAndOWord) {
 }
 
 /// The page's statements in the form `G-code` | `Lua` are those of the translator.
-TEST(LanguagePage, ItsExamplesOfBlocksAreTrue) {
+TEST(LanguagePage, BlockExamplesMatchTranslator) {
     EXPECT_EQ(lua_of("#1=#2+4"), "v[1] = v[2] + 4.0");
     EXPECT_EQ(lua_of("X-[#1+2]"), "move{x=(-(v[1] + 2.0))}");
     EXPECT_EQ(lua_of("DPRNT[X#100[53]]"), "DPRNT(\"X%.3f\", v[100])");

@@ -30,7 +30,7 @@ void expect_promises(const std::string& gcode, bool annotate) {
     ASSERT_TRUE(origin.unedited) << gcode;
 }
 
-TEST(RandomPrograms, LinesDeterminismAndLua) {
+TEST(RandomPrograms, TranslateLineByLineToValidLua) {
     std::mt19937 random(7);
     for (int i = 0; i < 400; ++i) {
         const std::string gcode = random_program(random, {});
@@ -38,7 +38,7 @@ TEST(RandomPrograms, LinesDeterminismAndLua) {
     }
 }
 
-TEST(RandomPrograms, AnErrorGivesItsLineAndNoLua) {
+TEST(RandomPrograms, ErrorGivesMessageAndNoLua) {
     std::mt19937 random(8);
     for (int i = 0; i < 200; ++i) {
         const std::string gcode = random_program(random, {.errors = true});
@@ -50,7 +50,7 @@ TEST(RandomPrograms, AnErrorGivesItsLineAndNoLua) {
 }
 
 /// Each block marks itself by the value of X; its Lua must be one line further down.
-TEST(Lines, EveryBlockStandsOneLineFurtherDown) {
+TEST(Lines, EveryBlockIsOneLineLowerInLua) {
     const std::string gcode = "%\nO1\n\n(first)\nX5\r\n\r\nX7;Y7\n/X8\n%\nO2 X10\nX11";
     const Translated result = translated(gcode);
     ASSERT_TRUE(result.ok) << result.messages;
@@ -63,13 +63,13 @@ TEST(Lines, EveryBlockStandsOneLineFurtherDown) {
     EXPECT_EQ(result.code(12), "end)") << "the last line";
 }
 
-TEST(Lines, ShortestPrograms) {
+TEST(Lines, ShortestProgramsCompile) {
     for (const std::string gcode :
          {"", "\n", "%", "%\n%", "X1", ";", "O1", "(c)", "\r", "\r\n", "N5", ";;\n;"})
         expect_promises(gcode, false);
 }
 
-TEST(Lines, LinesThatLookAlikeForLuaDoNotConfuseIt) {
+TEST(Lines, JumpsReturnsAndLoopsCompile) {
     for (const std::string gcode :
          {"#1=1\n#2=2\n", "GOTO1\nN1\n", "N1\nIF[1]GOTO1\nM99\nX1\n", "M99;M99\n", "M99 X1\nGOTO 3;N3\n",
           "N1 GOTO#1\n", "WHILE[1]DO1;END1;WHILE[1]DO1;END1", "O1;O2;O3", "O1\nGOTO#1\nO2\nN1GOTO1\n"})

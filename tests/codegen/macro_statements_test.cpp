@@ -8,7 +8,7 @@
 namespace gsim::codegen::macro_statements_test {
 namespace {
 
-TEST(Dprnt, WritesAFormatAndItsValues) {
+TEST(Dprnt, WritesFormatAndValues) {
     EXPECT_EQ(lua_of("POPEN"), "POPEN()");
     EXPECT_EQ(lua_of("PCLOS"), "PCLOS()");
     EXPECT_EQ(lua_of("DPRNT[X#100[53]Y#2[40]]"), "DPRNT(\"X%.3fY%.0f\", v[100], v[2])");
@@ -30,7 +30,7 @@ TEST(Dprnt, WritesAFormatAndItsValues) {
     EXPECT_EQ(compile_error(translated("DPRNT[" + many + "]\n").lua), std::nullopt) << "as many as fit";
 }
 
-TEST(Messages, OfAlarmsAndStops) {
+TEST(Messages, PrecedeAlarmsAndStops) {
     EXPECT_EQ(lua_of("#3000=1(TOOL BROKEN)"), "message(\"TOOL BROKEN\") v[3000] = 1.0");
     EXPECT_EQ(lua_of("#3006=1 (say \"go\")"), "message(\"say \\\"go\\\"\") v[3006] = 1.0");
     EXPECT_EQ(lua_of("#3000=1"), "v[3000] = 1.0");
@@ -49,7 +49,7 @@ std::string code_of(const std::string& gcode, std::size_t line, const TranslateO
     return result.code(line);
 }
 
-TEST(ReturnToABlock, InTheMainProgramIsAJump) {
+TEST(ReturnToBlock, IsJumpInMainProgram) {
     EXPECT_EQ(code_of("N10 X1\nM99 P10\n", 1), "::N10:: move{x=1}");
     EXPECT_EQ(code_of("N10 X1\nM99 P10\nM30\n", 2), "goto N10");
     EXPECT_EQ(code_of("O1\nN10 X1\n/M99 P0010 X5\nM30\n", 3),
@@ -63,7 +63,7 @@ TEST(ReturnToABlock, InTheMainProgramIsAJump) {
         EXPECT_NE(code_of(fmt::format("N10 X1\n{}\n", text), 2).find("goto N10"), std::string::npos) << text;
 }
 
-TEST(ReturnToABlock, AtTheEndOfTheMainProgramIsAPass) {
+TEST(ReturnToBlock, ChecksLastPassAtEndOfMainProgram) {
     const std::string pass = "if last_pass(10) then return end goto N10";
     EXPECT_EQ(code_of("N10 X1\nM99 P10\n", 2), pass);
     EXPECT_EQ(code_of("N10 X1\nGOTO 10\n\n(end)\n%\n", 2), pass);
@@ -72,13 +72,13 @@ TEST(ReturnToABlock, AtTheEndOfTheMainProgramIsAPass) {
     EXPECT_EQ(code_of("GOTO 10\nX1\nN10\n", 1), "goto N10") << "forward";
 }
 
-TEST(ReturnToABlock, ThroughAnAlias) {
+TEST(ReturnToBlock, WorksThroughAlias) {
     TranslateOptions options;
     ASSERT_FALSE(options.aliases.add("GoBack", "M099"));
     EXPECT_EQ(code_of("N10 X1\nGoBack P10\nM30\n", 2, options), "goto N10");
 }
 
-TEST(ReturnToABlock, OutOfASubprogram) {
+TEST(ReturnToBlock, LeavesSubprogramAndJumpsInCaller) {
     const Translated result = translated("O1\nN5 M98 P2\nG65 P2 A1\nX1\nN7 M2\nO2\nM99 P7\n");
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_EQ(compile_error(result.lua), std::nullopt) << result.lua;
@@ -92,7 +92,7 @@ TEST(ReturnToABlock, OutOfASubprogram) {
 }
 
 /// The words GOTO and M99 are searched for in parts of the file: they must be found across the border of two.
-TEST(JumpScan, FindsJumpsWhereverTheyStand) {
+TEST(JumpScan, FindsJumpAcrossBufferBoundary) {
     for (const std::string& jump :
          {std::string("GOTO5"), std::string("M99P5"), std::string("M 0 9 9P5"), std::string("goto 5")}) {
         const std::string text = jump == "M 0 9 9P5" ? "M 099 P5" : jump;
@@ -107,7 +107,7 @@ TEST(JumpScan, FindsJumpsWhereverTheyStand) {
     }
 }
 
-TEST(JumpScan, FindsJumpsInLongFiles) {
+TEST(JumpScan, FindsJumpAtEndOfFirstBuffer) {
     std::string gcode = "N5 X1\n";
     while (gcode.size() < 16383) gcode += gcode.size() < 16380 ? "X1\n" : " ";
     EXPECT_TRUE(translated(gcode + "GOTO5\n").ok) << "G is the last letter of the first piece";

@@ -29,7 +29,7 @@ TEST(NgcBlocks, CodesTakeTheirWords) {
 }
 
 /// P of G64 may be the turns of a modal arc, too.
-TEST(NgcBlocks, AWordIsThereForEveryCodeThatReadsIt) {
+TEST(NgcBlocks, PassesWordToEveryCodeUsingIt) {
     EXPECT_EQ(ngc_lua_of("G64 P1 M19 R90 Q2"), "M19{p=1, r=90, q=2} G64{p=1, q=2}");
     EXPECT_EQ(ngc_lua_of("G64 P2 G3 X1 I5"), "G64{p=2} G3{p=2, x=1, i=5}");
     EXPECT_EQ(ngc_lua_of("M50 P0 G4"), "M50{p=0} G4{p=0}");
@@ -39,7 +39,7 @@ TEST(NgcBlocks, AWordIsThereForEveryCodeThatReadsIt) {
 }
 
 /// The order that LinuxCNC documents, in blocks that give the words in another.
-TEST(NgcBlocks, OrderOfExecution) {
+TEST(NgcBlocks, CodesActInOrderOfLinuxCnc) {
     EXPECT_EQ(ngc_lua_of("M2 G1 X1 G98 G90 G64 G54 G40 G20 G17 M48 M8 M3 T1 S5 F6 G94"),
               "G94() F(6) S(5) T(1) M3() M8() M48() G17() G20() G40() G54() G64() G90() G98() G1{x=1} M2()");
     EXPECT_EQ(ngc_lua_of("X1 M6 T2"), "T(2) M6() move{x=1}");
@@ -57,7 +57,7 @@ TEST(NgcBlocks, OrderOfExecution) {
     EXPECT_EQ(ngc_lua_of("S5 G96 D100"), "G96{d=100} S(5)");
 }
 
-TEST(NgcBlocks, Errors) {
+TEST(NgcBlocks, RejectsInvalidBlocks) {
     const auto error = [](const char* block, const char* message) {
         EXPECT_EQ(ngc_lua_of(block), fmt::format("1:{}\n", message)) << block;
     };
@@ -101,7 +101,7 @@ TEST(NgcBlocks, Errors) {
     error("M200", "1: error: M200 is not a code of RS274/NGC");
 }
 
-TEST(NgcBlocks, ComputedCodesActWithTheModalSettings) {
+TEST(NgcBlocks, ComputedCodesActWithModalSettings) {
     EXPECT_EQ(ngc_lua_of("G[#<_plane>/10]"), "code(\"G\", p._plane / 10.0)");
     EXPECT_EQ(ngc_lua_of("X1 G#1 M#2 G90 G20"),
               "do local w1, w2 = v[1], v[2] code(\"M\", w2) G20() code(\"G\", w1) G90() move{x=1} end");
@@ -113,7 +113,7 @@ TEST(NgcBlocks, ComputedCodesActWithTheModalSettings) {
 }
 
 /// All values of a block are worked out, then its settings are made, then it acts.
-TEST(NgcBlocks, SettingsTakeEffectAtOnceBeforeTheBlockActs) {
+TEST(NgcBlocks, AssignmentsTakeEffectTogetherBeforeBlock) {
     EXPECT_EQ(ngc_lua_of("#1=2 #2=#1"), "v[1], v[2] = 2.0, v[1]");
     EXPECT_EQ(ngc_lua_of("#1=2 X#1"), "do local w1 = v[1] v[1] = 2.0 move{x=w1} end")
         << "X sees the old value";
@@ -128,7 +128,7 @@ TEST(NgcBlocks, SettingsTakeEffectAtOnceBeforeTheBlockActs) {
 }
 
 /// A word's value is that before the block, whatever acts before the word.
-TEST(NgcBlocks, WordsOfSeveralCallsAreWorkedOutFirst) {
+TEST(NgcBlocks, EvaluatesWordsBeforeFirstCall) {
     EXPECT_EQ(ngc_lua_of("G20 G0 Y#5420"), "do local w1 = v[5420] G20() G0{y=w1} end");
     EXPECT_EQ(ngc_lua_of("G0 Y#5420 X#<a>"), "G0{y=v[5420], x=p.a}") << "nothing acts before";
     EXPECT_EQ(ngc_lua_of("G20 G0 X1 Y[2+3]"), "G20() G0{x=1, y=2.0 + 3.0}") << "nothing to read";
@@ -138,7 +138,7 @@ TEST(NgcBlocks, WordsOfSeveralCallsAreWorkedOutFirst) {
     EXPECT_EQ(lua_of("G20 G0 Y#5001"), "G20() G0{y=v[5001]}") << "each by itself in the 9/Series";
 }
 
-TEST(NgcBlocks, AsManySettingsAsLuaHoldsAtOnce) {
+TEST(NgcBlocks, RejectsMoreThan50Assignments) {
     std::string max =
         "A#1 B#1 C#1 U#1 V#1 W#1 X#1 Y#1 Z#1 F#1 S#1 T#1 M3 $#1 G64 P#1 Q#1 G2 I#1 J#1 K#1 R#1 ";
     for (int i = 1; i <= 50; ++i) max += fmt::format("#[#[#{}]]=[#[#{}+1]+[#1*#2]] ", i + 300, i + 300);
@@ -154,7 +154,7 @@ TEST(NgcBlocks, AsManySettingsAsLuaHoldsAtOnce) {
 
 /// Two settings of variables that only the run can identify as one: the later one counts, whatever Lua's
 /// order is.
-TEST(NgcBlocks, TheLaterOfTwoSettingsHolds) {
+TEST(NgcBlocks, LaterAssignmentWins) {
     for (const auto& [block, expected] :
          {std::pair{"#[1]=1 #1=2", 2.0}, std::pair{"#1=2 #[1]=1", 1.0}, std::pair{"#1=1 #[1]=2 #1=3", 3.0},
           std::pair{"#[#2]=5 #[#3]=6 #[1+0]=7", 7.0}, std::pair{"#1=5 #[#1+1]=#1", 0.0}}) {
@@ -164,7 +164,7 @@ TEST(NgcBlocks, TheLaterOfTwoSettingsHolds) {
     }
 }
 
-TEST(UnknownCodes, WarnedOfOnceEachWithTheirCount) {
+TEST(UnknownCodes, WarnOnceEachWithCount) {
     TranslateOptions options;
     options.unknown = UnknownCodePolicy::warn;
     const Translated result =
@@ -191,7 +191,7 @@ TEST(UnknownCodes, WarnedOfOnceEachWithTheirCount) {
     EXPECT_FALSE(translated("G12\n", options).ok) << "a code that is there, but not done, stays an error";
 }
 
-TEST(UnknownCodes, PutOffInsideOfSubroutines) {
+TEST(UnknownCodes, DeferErrorInSubroutines) {
     const Translated result =
         translated_ngc("o1 sub\nG777 X1 P5\no2 if [#1]\nM428\no2 endif\nG1.5\no1 endsub\nX1\n");
     ASSERT_TRUE(result.ok) << result.messages;

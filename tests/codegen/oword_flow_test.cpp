@@ -21,7 +21,7 @@ std::string body(const std::string& gcode) {
     return out;
 }
 
-TEST(OWordFlow, SubroutinesAreFunctionsOfTheFile) {
+TEST(OWordFlow, SubroutinesBecomeLuaFunctions) {
     EXPECT_EQ(body("o100 sub\nG0 X#1\no100 endsub\no100 call [1+2] [#5]\n"),
               "sub(100, function()\nG0{x=v[1]}\nend)\nprogram(nil, function() call(100, 1.0 + 2.0, v[5])\n");
     EXPECT_EQ(body("X1\no100 call\nM2\no100 sub\nG0 X#1\no100 endsub\n"),
@@ -38,13 +38,13 @@ TEST(OWordFlow, SubroutinesAreFunctionsOfTheFile) {
               "3:1: error: the subroutine o1 is defined twice in this file, first in line 1\n");
 }
 
-TEST(OWordFlow, Calls) {
+TEST(OWordFlow, CallsTakeComputedAndNamedTargets) {
     EXPECT_EQ(body("o[#1+1] call [2]\no#<a> call\n"), "call(v[1] + 1.0, 2.0)\ncall(p.a)\n");
     EXPECT_EQ(body("o1234567890 call\n"), "call(\"1234567890\")\n") << "too long for a number";
     EXPECT_EQ(body("o<100> call\no<1.5> call\n"), "call(100)\ncall(\"1.5\")\n");
 }
 
-TEST(OWordFlow, Conditions) {
+TEST(OWordFlow, ConditionsBecomeLuaIf) {
     EXPECT_EQ(
         body("o1 if [#1 GT 2]\nX1\no1 elseif [#1 EQ 2]\nX2\no1 else\nX3\no1 endif\n"),
         "if v[1] > 2.0 then\nmove{x=1}\nelseif equal(v[1], 2.0) then\nmove{x=2}\nelse\nmove{x=3}\nend\n");
@@ -54,7 +54,7 @@ TEST(OWordFlow, Conditions) {
               "if (not equal(v[1], 1.0)) and (v[2] < 3.0) then\nend\n");
 }
 
-TEST(OWordFlow, Loops) {
+TEST(OWordFlow, LoopsBecomeLuaLoops) {
     EXPECT_EQ(body("o1 while [#1 LT 5]\nX1\no1 endwhile\n"), "while v[1] < 5.0 do\nmove{x=1}\nend\n");
     EXPECT_EQ(body("o1 do\nX1\no1 while [#1 LT 5]\n"), "repeat\nmove{x=1}\nuntil not (v[1] < 5.0)\n");
     EXPECT_EQ(body("o1 repeat [#1]\nX1\no1 endrepeat\n"), "for _ = 1, times(v[1]) do\nmove{x=1}\nend\n");
@@ -64,7 +64,7 @@ TEST(OWordFlow, Loops) {
               "repeat\nwhile truth(1.0) do\nend\nuntil not (truth(0.0))\n");
 }
 
-TEST(OWordFlow, BreakAndContinue) {
+TEST(OWordFlow, TranslatesBreakAndContinue) {
     EXPECT_EQ(
         body("o1 while [1]\no2 if [#1]\no1 break\no2 else\no1 continue\no2 endif\no1 endwhile\n"),
         "while truth(1.0) do\nif truth(v[1]) then\nbreak\nelse\ngoto continue_1\nend\n::continue_1:: end\n");
@@ -74,7 +74,7 @@ TEST(OWordFlow, BreakAndContinue) {
               "for _ = 1, times(2.0) do\nbreak\ngoto continue_1\n::continue_1:: end\n");
 }
 
-TEST(OWordFlow, OutOfNestedLoops) {
+TEST(OWordFlow, BreakAndContinueLeaveNestedLoops) {
     EXPECT_EQ(body("o1 while [1]\no2 repeat [3]\no3 if [#1]\no1 break\no3 endif\no1 continue\no2 endrepeat\n"
                    "o1 endwhile\nX1\n"),
               "while truth(1.0) do\nfor _ = 1, times(3.0) do\nif truth(v[1]) then\ngoto break_1\nend\n"
@@ -93,7 +93,7 @@ std::string messages(const std::string& gcode) {
     return result.messages;
 }
 
-TEST(OWordFlow, WrongNestingGivesOneError) {
+TEST(OWordFlow, WrongNestingReportsOneError) {
     EXPECT_EQ(messages("o1 endif\no2 endwhile\no3 endsub\n"), "1:1: error: o1 endif has no beginning\n");
     EXPECT_EQ(messages("o1 if [1]\no2 while [1]\no1 endif\no2 endwhile\n"),
               "3:1: error: o1 endif does not close o2 while, which is open since line 2\n");
@@ -121,7 +121,7 @@ TEST(OWordFlow, WrongNestingGivesOneError) {
               "2:1: error: a subroutine must not begin inside another one or inside a control structure\n");
 }
 
-TEST(OWordFlow, AnErrorInABlockBringsNoOther) {
+TEST(OWordFlow, BlockErrorCausesNoSecondError) {
     EXPECT_EQ(messages("o1 if [1 +]\no1 endif\n"), "1:11: error: ']' is not allowed here\n");
     EXPECT_EQ(messages("o1 if\nX1\no1 endif\n"),
               "1:4: error: this keyword must be followed by its condition in brackets\n");
@@ -133,7 +133,7 @@ TEST(OWordFlow, AnErrorInABlockBringsNoOther) {
         << "a new program begins anew";
 }
 
-TEST(OWordFlow, BlockDelete) {
+TEST(OWordFlow, RejectsBlockDeleteBeforeStructure) {
     const std::string message =
         "block delete '/' must not precede a program or a control structure: its end would be lost";
     for (const char* keyword : {"sub", "endsub", "if [1]", "else", "elseif [1]", "endif", "while [1]",
@@ -150,7 +150,7 @@ TEST(OWordFlow, BlockDelete) {
         "::continue_1:: end\n");
 }
 
-TEST(OWordFlow, ProgramsByNumber) {
+TEST(OWordFlow, TranslatesNumberedPrograms) {
     EXPECT_EQ(body("o1\nM98 P2 L3\nM2\no0002\nX1\nM99\n"),
               "program(1, function()\nM98{p=2, l=3}\nM2()\nend) program(2, function()\nmove{x=1}\n"
               "do return (M99()) end\n");
@@ -160,7 +160,7 @@ TEST(OWordFlow, ProgramsByNumber) {
     EXPECT_EQ(translated_ngc("o1\nM2\no<01>\n").messages, "") << "a name";
 }
 
-TEST(OWordFlow, EndOfTheMainProgram) {
+TEST(OWordFlow, IgnoresTextAfterEndOfMainProgram) {
     EXPECT_EQ(body("M2\nnot read @\no1 sub\nX1\no1 endsub\n"),
               "M2()\n\nend) sub(1, function()\nmove{x=1}\nend)\n");
     EXPECT_EQ(body("/M2\nX1\n"), "if not skipped(1) then M2() end\nmove{x=1}\n") << "may be left out";
@@ -227,7 +227,7 @@ TEST(OWordFlow, DeepNestingCompilesOrIsReported) {
     EXPECT_TRUE(translated_ngc(nested({"if [1]", "endif"}, 77, "X1")).ok);
 }
 
-TEST(OWordFlow, NotLongerThanLuaJumps) {
+TEST(OWordFlow, RejectsLoopTooLongForLua) {
     std::string loop = "o1 while [#1]\n";
     for (int i = 0; i < 650000; ++i) loop += "X1Y2Z3B4\n";
     EXPECT_EQ(messages(loop + "o1 endwhile\n"),

@@ -25,7 +25,7 @@ std::string as_ngc(const std::string& text) {
     return hint(text, grammar::dialect_rs274ngc());
 }
 
-TEST(DialectHint, SignsOfRs274ngc) {
+TEST(DialectHint, RecognizesRs274Ngc) {
     EXPECT_EQ(as_ab9("G21\n#<depth> = 3\n"),
               "part.nc:2: note: #<name> belongs to RS274/NGC (LinuxCNC); try --dialect rs274ngc\n");
     for (const char* line : {"o100 sub\n", "O<hole> CALL [1]\n", "N5 o1 if [#1 GT 2]\n", "o2 endwhile\n"}) {
@@ -37,7 +37,7 @@ TEST(DialectHint, SignsOfRs274ngc) {
     EXPECT_NE(as_ab9("#1 = EXISTS[#2]\n"), "");
 }
 
-TEST(DialectHint, SignsOfThe9SeriesAndItsRelatives) {
+TEST(DialectHint, Recognizes9SeriesDialects) {
     EXPECT_EQ(as_ngc("%\nO0012\nIF [#1 EQ 2] GOTO 8\n"),
               "part.nc:3: note: GOTO belongs to the 9/Series (and related controllers, such as Fanuc and "
               "Haas); try --dialect ab9\n");
@@ -50,7 +50,7 @@ TEST(DialectHint, SignsOfThe9SeriesAndItsRelatives) {
               0U);
 }
 
-TEST(DialectHint, WhatBothHaveSaysNothingBesideSignsOfTheOwnOne) {
+TEST(DialectHint, GivesNoHintForOwnDialect) {
     EXPECT_EQ(as_ngc("o100 sub\no100 endsub\nM98 P5\n"), "");
     EXPECT_EQ(as_ngc("o1 while [#1 LT 5]\no1 endwhile\n"), "") << "an O-word's WHILE is its own";
     EXPECT_EQ(as_ab9("(o100 sub, #<a>)\nG0 X1 ; #<b>\n"), "") << "comments are no signs";
@@ -58,7 +58,7 @@ TEST(DialectHint, WhatBothHaveSaysNothingBesideSignsOfTheOwnOne) {
     EXPECT_EQ(as_ab9("G0 X1\n"), "");
 }
 
-TEST(DialectHint, LanguagesThatNobodyReadsHere) {
+TEST(DialectHint, NamesUnsupportedLanguages) {
     EXPECT_EQ(as_ab9("0 BEGIN PGM PLATE MM\n"),
               "part.nc:1: note: BEGIN PGM belongs to the language of Heidenhain; gsim does not support it\n");
     EXPECT_EQ(as_ab9("DEF REAL DEPTH\n"),
@@ -72,7 +72,7 @@ std::string inches(const std::string& text) {
 
 constexpr const char* kHaas = "T1 M6\nG0 X1.125 Y-.375\nZ.1\nG1 Z-.2501 F10.\nX2.4375 F45.\nM30\n";
 
-TEST(InchSigns, ASmallPartWithThousandthsAndSlowFeeds) {
+TEST(InchHint, WarnsAboutSmallPartWithFineStepsAndSlowFeeds) {
     EXPECT_EQ(inches(kHaas),
               "part.nc: warning: the program has neither G20 nor G21 and is read in mm, but seems to be in "
               "inches: its coordinates are within 2.4375, with up to 4 decimals, its feeds within 45; add "
@@ -81,7 +81,7 @@ TEST(InchSigns, ASmallPartWithThousandthsAndSlowFeeds) {
         << "a larger one, in tenths of thousandths";
 }
 
-TEST(InchSigns, WhatSpeaksAgainst) {
+TEST(InchHint, GivesNoHintWithoutStrongEvidence) {
     const std::string haas = kHaas;
     EXPECT_EQ(inches("G20\n" + haas), "");
     EXPECT_EQ(inches(haas + "G21\n"), "");
@@ -93,7 +93,7 @@ TEST(InchSigns, WhatSpeaksAgainst) {
     EXPECT_EQ(inches("G0 X1.125 Y-.375\nZ.1255\n"), "") << "no feed";
 }
 
-TEST(ControllerName, NamesAsPeopleWriteThem) {
+TEST(ControllerName, AcceptsUsualSpellings) {
     for (const char* name : {"ab9", "9/Series", "9-series", "Allen-Bradley", "ALLEN BRADLEY"}) {
         const auto control = grammar::find_controller(name);
         ASSERT_TRUE(control) << name;
@@ -108,7 +108,7 @@ TEST(ControllerName, NamesAsPeopleWriteThem) {
     EXPECT_EQ(haas->caution.find("programs of haas are read as ab9 (Allen-Bradley 9/Series): similar"), 0U);
 }
 
-TEST(ControllerName, WhatIsNoneIsASentence) {
+TEST(ControllerName, RejectsUnknownName) {
     EXPECT_EQ(grammar::find_controller("fanux").error(),
               "unknown dialect or controller 'fanux'; did you mean 'fanuc'?");
     EXPECT_EQ(grammar::find_controller("Heidenhain").error(),

@@ -16,7 +16,7 @@ std::string line(const std::string& lua, int number) {
     return lua.substr(begin, lua.find('\n', begin) - begin);
 }
 
-TEST(Comments, StandBehindTheCode) {
+TEST(Comments, FollowLuaCode) {
     const std::string lua = translated("O0007 (main)\nN0010 G1 X5 (one) (two)\n\n(alone)\n").lua;
     EXPECT_EQ(line(lua, 2), "program(7, function()                                   -- O0007 (main)");
     EXPECT_EQ(line(lua, 3), "G1{x=5}                                                 -- N10 (one) (two)");
@@ -24,7 +24,7 @@ TEST(Comments, StandBehindTheCode) {
     EXPECT_EQ(line(lua, 5), "                                                        -- (alone)");
 }
 
-TEST(Comments, CannotEndTheirLineOrTurnIntoCode) {
+TEST(Comments, CannotEndTheirLineOrBecomeCode) {
     const char* const comments[] = {"a\rb", "--[[ never closed", "]] error'x'", "a\x1b[2J", "\x7f", "[==[",
                                     "\\n",  "\xff\xfe"};
     for (const std::string comment : comments) {
@@ -42,7 +42,7 @@ TEST(Comments, CannotEndTheirLineOrTurnIntoCode) {
     EXPECT_NE(translated("(a\rb)\n").lua.find("-- (a\\x0Db)"), std::string::npos);
 }
 
-TEST(Comments, AnnotateGivesTheWholeBlock) {
+TEST(Comments, AnnotateOptionAddsFullBlock) {
     TranslateOptions options;
     options.annotate = true;
     const std::string lua = translated("  N5 g1 x5 (go)  \r\nO2 M99\nX1;Y2\n", options).lua;
@@ -51,7 +51,7 @@ TEST(Comments, AnnotateGivesTheWholeBlock) {
     EXPECT_EQ(line(lua, 4), "move{x=1} move{y=2}                                     -- X1; Y2");
 }
 
-TEST(FirstLine, NamesTheFileWithoutItsFolder) {
+TEST(FirstLine, NamesFileWithoutFolder) {
     TranslateOptions options;
     options.source_name = "some/folder/part.nc";
     const TextTranslation result = translate_text("O1\n", options);
@@ -61,7 +61,7 @@ TEST(FirstLine, NamesTheFileWithoutItsFolder) {
     EXPECT_EQ(translate_text("O1\n", options).lua, result.lua);
 }
 
-TEST(FirstLine, SurvivesStrangeFileNames) {
+TEST(FirstLine, StaysValidWithUnusualFileNames) {
     for (const std::string name :
          {"a\nb.nc", "a\rb.nc", "; hash 0", "x; line n there is line n+1 here", "]]--[["}) {
         TranslateOptions options;
@@ -74,7 +74,7 @@ TEST(FirstLine, SurvivesStrangeFileNames) {
     }
 }
 
-TEST(Origin, TellsAnEditedScript) {
+TEST(Origin, DetectsEditedScript) {
     const std::string lua = translated("O1\nG1 X5\nM2\n").lua;
     EXPECT_EQ(script_origin(lua).source_name, "part.nc");
     EXPECT_TRUE(script_origin(lua).unedited);
@@ -88,14 +88,14 @@ TEST(Origin, TellsAnEditedScript) {
     EXPECT_FALSE(script_origin(lua.substr(0, lua.size() - 1)).unedited);
 }
 
-TEST(Origin, OfAScriptThatWasNotTranslated) {
+TEST(Origin, IsUnknownForUntranslatedScript) {
     for (const std::string lua : {"", "\n", "print(1)", "-- from here\nG1{x=1}\n", "x = '; hash 0'\n"}) {
         EXPECT_EQ(script_origin(lua).source_name, "") << lua;
         EXPECT_FALSE(script_origin(lua).unedited) << lua;
     }
 }
 
-TEST(Hash, DoesNotDependOnHowTheTextArrives) {
+TEST(Hash, IsIndependentOfChunkSize) {
     std::string text;
     for (int i = 0; i < 300; ++i) text += static_cast<char>(i * 7);
     TextHash full;
@@ -111,7 +111,7 @@ TEST(Hash, DoesNotDependOnHowTheTextArrives) {
     EXPECT_NE(longer.value(), full.value());
 }
 
-TEST(Spool, BigScriptsGoThroughAFileUnchanged) {
+TEST(Spool, KeepsBigScriptUnchanged) {
     std::string gcode;
     for (int i = 0; i < 20000; ++i) gcode += fmt::format("X{}\n", i);
     const Translated result = translated(gcode);

@@ -10,7 +10,7 @@ using namespace std::string_literals;
 
 constexpr const char* kProgram = "%\nO7\nG0 X1\nM30\n%\n";
 
-TEST(Tape, WhatStandsBeforeTheFirstMarkIsPassedOver) {
+TEST(Tape, SkipsLeaderBeforeFirstMark) {
     const Translated result = translated("part 12, rev (b\nmade by Meier\n"s + kProgram);
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_EQ(
@@ -24,7 +24,7 @@ TEST(Tape, WhatStandsBeforeTheFirstMarkIsPassedOver) {
               "1:1: warning: the line before the first % is skipped: the leader of a tape, not a program\n");
 }
 
-TEST(Tape, AProgramBeforeTheFirstMarkIsNoLeader) {
+TEST(Tape, ReadsProgramBeforeFirstMark) {
     const Translated result = translated("G0 X5\n%\nG0 X1\n%\n");
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_EQ(result.code(1), "G0{x=5}");
@@ -34,7 +34,7 @@ TEST(Tape, AProgramBeforeTheFirstMarkIsNoLeader) {
     EXPECT_FALSE(translated_ngc("part 12\n%\nG0 X1\n%\n").ok) << "LinuxCNC does not pass it over";
 }
 
-TEST(Tape, TextBehindAMarkIsForPeople) {
+TEST(Tape, TreatsTextAfterMarkAsComment) {
     const Translated result = translated("%123 some text\nO7\nG0 X1\nM30\n% the end\n");
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_EQ(result.code(2), "program(7, function()");
@@ -45,7 +45,7 @@ TEST(Tape, TextBehindAMarkIsForPeople) {
     EXPECT_FALSE(translated_ngc("% text\nG0 X1\n%\n").ok) << "LinuxCNC refuses it";
 }
 
-TEST(Tape, TheByteThatEndsAFileOfDosEndsIt) {
+TEST(Tape, DosEndOfFileByteEndsFile) {
     for (const std::string& end : {"\n\x1A"s, "\x1A"s, "\n%\n\x1A"s, "\r\n\x1A\x1A\0\0"s, "\n\x1A\n\n"s}) {
         const Translated result = translated("G0 X1\nM30" + end);
         EXPECT_EQ(result.messages, "");
@@ -60,7 +60,7 @@ TEST(Tape, TheByteThatEndsAFileOfDosEndsIt) {
     EXPECT_FALSE(translated_ngc("G0 X1\n\x1A").ok) << "LinuxCNC refuses it before M2 or %";
 }
 
-TEST(Tape, CommentsWithinComments) {
+TEST(Tape, RejectsNestedComments) {
     EXPECT_EQ(translated_ngc("(a (b) G1 X2 F100\n").messages,
               "1:4: error: a comment must not contain another '('; LinuxCNC also rejects it\n");
     EXPECT_TRUE(translated_ngc("G1 X2 F100 ; (c (d))\n").ok) << "a remark is no such comment";

@@ -106,11 +106,11 @@ void expect_all_sound(const grammar::Dialect& dialect, const char* const (&fragm
     EXPECT_GT(accepted, 500) << "the soup is too thick";
 }
 
-TEST(TokenSoup, Ab9) {
+TEST(TokenSoup, Ab9TranslationIsRepeatableAndCompiles) {
     expect_all_sound(grammar::dialect_ab9(), kAb9);
 }
 
-TEST(TokenSoup, Rs274Ngc) {
+TEST(TokenSoup, NgcTranslationIsRepeatableAndCompiles) {
     expect_all_sound(grammar::dialect_rs274ngc(), kNgc);
 }
 
@@ -119,7 +119,7 @@ std::ptrdiff_t lines(std::string_view text) {
     return std::count(text.begin(), text.end(), '\n') + (open_end ? 1 : 0);
 }
 
-TEST(RandomNgcPrograms, AreAcceptedLineByLine) {
+TEST(RandomNgcPrograms, AreAcceptedAndKeepLines) {
     std::mt19937 random(31);
     for (int i = 0; i < 300; ++i) {
         const std::string gcode = random_ngc_program(random, 60);
@@ -135,7 +135,7 @@ TEST(RandomNgcPrograms, AreAcceptedLineByLine) {
 }
 
 /// A random program with one line lost or doubled: refused or accepted, never Lua that does not compile.
-TEST(RandomNgcPrograms, WithALineLostOrDoubled) {
+TEST(RandomNgcPrograms, LostOrDoubledLineIsRejectedOrCompiles) {
     std::mt19937 random(32);
     TranslateOptions options;
     options.dialect = &grammar::dialect_rs274ngc();

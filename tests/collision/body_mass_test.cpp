@@ -54,7 +54,7 @@ Result<RigidBody> of_mesh(const Surface& surface, double density) {
     return compute_rigid_body(machine::MeshShape{.file = "part.obj"}, density, {.files = given});
 }
 
-TEST(BodyMass, ClosedForms) {
+TEST(BodyMass, MatchesClosedForms) {
     const RigidBody box = *compute_rigid_body(machine::BoxShape{100, 200, 300}, 1000);
     EXPECT_NEAR(box.mass_kg, 6, 1e-12);
     EXPECT_TRUE(box.inertia_kg_m2.diagonal().isApprox(Vector3d(0.13, 0.10, 0.05) / 2, 1e-12));
@@ -68,7 +68,7 @@ TEST(BodyMass, ClosedForms) {
 }
 
 // By discs along its axis.
-TEST(BodyMass, CapsuleIsTheSumOfItsDiscs) {
+TEST(BodyMass, CapsuleIsSumOfDiscs) {
     const RigidBody capsule = *compute_rigid_body(machine::CapsuleShape{200, 300}, 1000);
     constexpr int kDiscs = 200'000;
     constexpr double kHalf = 0.25;
@@ -89,7 +89,7 @@ TEST(BodyMass, CapsuleIsTheSumOfItsDiscs) {
     EXPECT_NEAR(capsule.inertia_kg_m2(2, 2), along, 1e-8 * along);
 }
 
-TEST(BodyMass, ClosedMeshIsTheBoxThatItIs) {
+TEST(BodyMass, ClosedMeshEqualsBox) {
     const Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     const Vector3d at(4000, -300, 80);  // far from its origin
     Surface surface;
@@ -103,7 +103,7 @@ TEST(BodyMass, ClosedMeshIsTheBoxThatItIs) {
     EXPECT_LT((mesh->inertia_kg_m2 - expected_value).norm(), 1e-10) << mesh->inertia_kg_m2;
 }
 
-TEST(BodyMass, MeshThatIsTurnedInsideOutIsTheSame) {
+TEST(BodyMass, AcceptsMeshTurnedInsideOut) {
     Surface surface;
     surface.box(Vector3d::Zero(), Matrix3d(Vector3d(100, 200, -300).asDiagonal()));
     const auto mesh = of_mesh(surface, 1000);
@@ -112,7 +112,7 @@ TEST(BodyMass, MeshThatIsTurnedInsideOutIsTheSame) {
     EXPECT_TRUE(mesh->centre_m.isApprox(Vector3d(0.05, 0.1, -0.15)));
 }
 
-TEST(BodyMass, OpenMeshHasNoMass) {
+TEST(BodyMass, RejectsOpenMesh) {
     Surface surface;
     surface.box(Vector3d::Zero(), Matrix3d(Vector3d(100, 200, 300).asDiagonal()), false);
     EXPECT_EQ(of_mesh(surface, 1000).error().message,

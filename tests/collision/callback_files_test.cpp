@@ -38,7 +38,7 @@ std::string machine_toml() {
            "\n[[shape]]\nname = \"cover\"\non = \"X\"\nshape = { mesh = \"cover.obj\" }\n";
 }
 
-TEST(CallbackFiles, GiveAMachineItsControllerAndItsMeshes) {
+TEST(CallbackFiles, LoadControllerAndMeshesOfMachine) {
     RecordingFiles given;
     given.bytes = {{"shop/af5.toml", machine_toml()},
                    {"rules/own.toml", "[controller]\nstandstill_s = 0.25\n"},
@@ -53,7 +53,7 @@ TEST(CallbackFiles, GiveAMachineItsControllerAndItsMeshes) {
     EXPECT_THAT(given.requested, ElementsAre("rules/own.toml", "shop/af5.toml", "shop/cover.obj"));
 }
 
-TEST(CallbackFiles, GiveACellItsMeshesAndSolidsByWhoReadsThem) {
+TEST(CallbackFiles, LoadMeshesAndSolidsOfCell) {
     RecordingFiles given;
     given.bytes = {{"shop/post.obj", kTetrahedron}};
     const auto machine =
@@ -72,7 +72,7 @@ TEST(CallbackFiles, GiveACellItsMeshesAndSolidsByWhoReadsThem) {
     EXPECT_EQ(cell->items.back().shape.triangles()->triangle_count(), 1U);
 }
 
-TEST(CallbackFiles, WhatIsNotGivenIsNamed) {
+TEST(CallbackFiles, ReportMissingFileByName) {
     RecordingFiles given;
     const auto machine = machine::read_machine(machine_toml(), "shop/af5.toml", given.files);
     ASSERT_FALSE(machine);
@@ -86,7 +86,7 @@ TEST(CallbackFiles, WhatIsNotGivenIsNamed) {
     EXPECT_THAT(cell.error().message, HasSubstr("cannot read 'shop/post.obj': file not found"));
 }
 
-TEST(CallbackFiles, AreBoundedAsThoseOnDisk) {
+TEST(CallbackFiles, RejectTooLargeFile) {
     RecordingFiles given;
     given.bytes = {{"big.toml", std::string(os::kMaxTextFileBytes + 1, ' ')}};
     EXPECT_EQ(given.files.read_text("big.toml").error().message, "'big.toml' is larger than 4 MiB");

@@ -55,7 +55,7 @@ std::string with(std::string_view more) {
     return fmt::format("{}{}", kWhole, more);
 }
 
-TEST(CellFile, ReadsAllOfIt) {
+TEST(CellFile, ReadsAllTables) {
     const auto cell =
         read_cell(fmt::format("{}{}", "ignore = [[\"head\", \"post\"]]\n", kWhole), "dir/c.toml", af5());
     ASSERT_TRUE(cell) << cell.error().message;
@@ -78,7 +78,7 @@ TEST(CellFile, ReadsAllOfIt) {
     EXPECT_TRUE(files->machine_data.empty());
 }
 
-TEST(CellFile, SaysWhereAndWhatIsWrong) {
+TEST(CellFile, ReportsErrorsWithSourceLocation) {
     EXPECT_THAT(error_of("x = 1"), HasSubstr("dir/c.toml:1:1: unknown key 'x' in a cell file"));
     EXPECT_THAT(error_of(""), HasSubstr("lacks the key 'cell'"));
     EXPECT_THAT(error_of("[cell]\nname = \"c\"\nclearance_mm = -1"),
@@ -126,7 +126,7 @@ machine::Machine with_body() {
     return machine;
 }
 
-TEST(CellFile, HasTheShapesOfItsMachine) {
+TEST(CellFile, IncludesShapesOfMachine) {
     const auto cell =
         read_cell(fmt::format("{}{}", "ignore = [[\"hull\", \"post\"]]\n", kWhole), "c.toml", with_body());
     ASSERT_TRUE(cell) << cell.error().message;
@@ -138,7 +138,7 @@ TEST(CellFile, HasTheShapesOfItsMachine) {
     EXPECT_EQ(cell->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {0, 3}}));
 }
 
-TEST(CellFile, ANameOfTheMachineFileIsTaken) {
+TEST(CellFile, RejectsNameUsedInMachineFile) {
     const auto cell =
         read_cell(with("[[object]]\nname = \"bed\"\nshape = { sphere_mm = 1 }"), "c.toml", with_body());
     ASSERT_FALSE(cell);
@@ -146,7 +146,7 @@ TEST(CellFile, ANameOfTheMachineFileIsTaken) {
               "c.toml:32:8: the name 'bed' is already used by a [[shape]] of the machine file");
 }
 
-TEST(CellFile, AToolOfTheCellTakesThePlaceOfTheMachines) {
+TEST(CellFile, ToolOfCellReplacesToolOfMachine) {
     const std::string tool = "[[shape]]\nname = \"hull\"\non = \"tool\"\nshape = { sphere_mm = 6 }\n";
     const auto cell = read_cell(with(tool), "c.toml", with_body());
     ASSERT_TRUE(cell) << cell.error().message;
@@ -169,7 +169,7 @@ TEST(CellFile, AToolOfTheCellTakesThePlaceOfTheMachines) {
     EXPECT_EQ(includes_jet->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}}));
 }
 
-TEST(CellFile, AMeshOfTheMachineThatIsNoneIsAnError) {
+TEST(CellFile, RejectsMissingMeshOfMachine) {
     machine::Machine machine = with_body();
     machine.shapes[1].form = machine::MeshShape{"none.stl"};
     const auto cell = read_cell(kWhole, "c.toml", machine);
@@ -179,7 +179,7 @@ TEST(CellFile, AMeshOfTheMachineThatIsNoneIsAnError) {
 }
 
 // Names were compared with all before them, and each body with each, for minutes.
-TEST(CellFile, ManyObjectsAreWatchedAndTooManyAreAnError) {
+TEST(CellFile, AcceptsManyObjectsAndRejectsTooManyPairs) {
     std::string text = "[cell]\nname = \"c\"\n";
     for (int i = 0; i < 40'000; ++i)
         text += fmt::format("[[object]]\nname=\"o{}\"\nshape={{sphere_mm=1}}\nframe={{x_mm={}}}\n", i, i);
@@ -199,7 +199,7 @@ TEST(CellFile, ManyObjectsAreWatchedAndTooManyAreAnError) {
 }
 
 // For any change of a file, it is read, or rejected with a source location.
-TEST(CellFile, MangledFilesNeitherHangNorCrash) {
+TEST(CellFile, ReadsOrRejectsMangledFiles) {
     std::mt19937 random(9);
     const machine::Machine machine = af5();
     constexpr std::string_view kBits("\0\n[]{}=\"'.,1e-#", 15);

@@ -56,7 +56,7 @@ class MonitoredPair {
     double time_s = 0;
 };
 
-TEST(ClearanceMonitor, AThinPlateIsFoundAtFullSpeed) {
+TEST(ClearanceMonitor, FindsThinPlateAtFullSpeed) {
     MonitoredPair run(cell_of(ball_at_tip(1) + box_at("plate", {0.1, 1000, 1000}, {500, 500, 0})));
     run.line_to(joints(0, 500, 0), joints(1000, 500, 0), {508});
     ASSERT_EQ(run.monitor.contacts().size(), 1U);
@@ -69,7 +69,7 @@ TEST(ClearanceMonitor, AThinPlateIsFoundAtFullSpeed) {
 }
 
 // Far from everything steps are not looked at one by one.
-TEST(ClearanceMonitor, ManySmallStepsMeetWhatOneMoveMeets) {
+TEST(ClearanceMonitor, SmallStepsFindSameContactAsOneMove) {
     MonitoredPair run(cell_of(ball_at_tip(1) + box_at("plate", {0.1, 1000, 1000}, {500, 500, 0})));
     for (int step = 0; step < 4000; ++step)
         run.line_to(joints(0.25 * step, 500, 0), joints(0.25 * (step + 1), 500, 0), {508});
@@ -77,7 +77,7 @@ TEST(ClearanceMonitor, ManySmallStepsMeetWhatOneMoveMeets) {
     EXPECT_NEAR(run.monitor.contacts()[0].t_s, (500 - 0.05 - 0.5) / 508, 2e-8);
 }
 
-TEST(ClearanceMonitor, ManySmallTurnsMeetWhatOneTurnMeets) {
+TEST(ClearanceMonitor, SmallTurnsFindSameContactAsOneTurn) {
     // The tool's end, 200 mm above the TCP, moves down on a circle to a plate at its height at 60 degrees.
     const std::string end =
         "[[shape]]\nname = \"end\"\non = \"tool\"\nshape = { sphere_mm = 2 }\nframe = { z_mm = 200 }\n";
@@ -91,7 +91,7 @@ TEST(ClearanceMonitor, ManySmallTurnsMeetWhatOneTurnMeets) {
     EXPECT_NEAR(run.monitor.contacts()[0].t_s, M_PI / 3, 2e-8);  // 200 cos 60 = 94 + 5 + 1
 }
 
-TEST(ClearanceMonitor, AJetThatIsTurnedOnFarFromAllIsLookedAt) {
+TEST(ClearanceMonitor, FindsContactOfJetSwitchedOnFarFromBodies) {
     const std::string jet = "[[shape]]\nname = \"jet\"\non = \"jet\"\nshape = { cylinder_mm = [1, 300] }\n";
     MonitoredPair run(cell_of(ball_at_tip(1) + jet + box_at("post", {10, 10, 10}, {500, 500, -100})));
     for (int step = 0; step < 1000; ++step)
@@ -100,7 +100,7 @@ TEST(ClearanceMonitor, AJetThatIsTurnedOnFarFromAllIsLookedAt) {
     EXPECT_NEAR(run.monitor.contacts()[0].t_s, 4.98, 1e-9);
 }
 
-TEST(ClearanceMonitor, APassAtOneMillimetreIsThatFar) {
+TEST(ClearanceMonitor, ReportsClearanceOfPassAtOneMillimetre) {
     MonitoredPair run(cell_of(ball_at_tip(10) + box_at("box", {100, 100, 100}, {500, 500, 50})));
     run.line_to(joints(300, 444, 50), joints(700, 444, 50), {508, 490});
     ASSERT_TRUE(run.monitor.nearest());
@@ -111,7 +111,7 @@ TEST(ClearanceMonitor, APassAtOneMillimetreIsThatFar) {
     EXPECT_FALSE(run.monitor.nearest());  // sqrt(150^2 + ...) away
 }
 
-TEST(ClearanceMonitor, WhenItIsNearestIsKnownWhereThatIsWanted) {
+TEST(ClearanceMonitor, RecordsTimeOfMinClearanceIfRequested) {
     const std::string post =
         "[[object]]\nname = \"post\"\nshape = { cylinder_mm = [20, 100] }\nframe = { x_mm = 500, y_mm = 500 "
         "}\n";
@@ -130,7 +130,7 @@ TEST(ClearanceMonitor, WhenItIsNearestIsKnownWhereThatIsWanted) {
     }
 }
 
-TEST(ClearanceMonitor, AnArcRoundAPostKeepsItsDistance) {
+TEST(ClearanceMonitor, ReportsClearanceOfArcAroundPost) {
     const std::string post =
         "[[object]]\nname = \"post\"\nshape = { cylinder_mm = [20, 100] }\nframe = { x_mm = 500, y_mm = 500 "
         "}\n";
@@ -142,7 +142,7 @@ TEST(ClearanceMonitor, AnArcRoundAPostKeepsItsDistance) {
 }
 
 // A ball 100 mm above the TCP meets a wall as the tool tilts: 100 sin(angle) + 5 = 55.
-TEST(ClearanceMonitor, ATiltTouchesAtItsAngle) {
+TEST(ClearanceMonitor, FindsContactAtTiltAngle) {
     const std::string ball =
         "[[shape]]\nname = \"head\"\non = \"tool\"\nshape = { sphere_mm = 10 }\nframe = { z_mm = 100 }\n";
     MonitoredPair run(cell_of(ball + box_at("wall", {10, 400, 400}, {560, 500, 0})));
@@ -153,7 +153,7 @@ TEST(ClearanceMonitor, ATiltTouchesAtItsAngle) {
     EXPECT_NEAR(run.monitor.contacts()[0].point_mm.z(), 100 * std::cos(std::asin(0.5)), 1e-4);
 }
 
-TEST(ClearanceMonitor, PartsOfTheMachineMeetEachOther) {
+TEST(ClearanceMonitor, FindsContactBetweenMachineParts) {
     const std::string parts =
         "[[shape]]\nname = \"post\"\non = \"base\"\nshape = { box_mm = [10, 10, 10] }\n"
         "[[shape]]\nname = \"arm\"\non = \"Y\"\nshape = { box_mm = [10, 10, 10] }\nframe = { x_mm = 8 }\n"
@@ -179,7 +179,7 @@ TEST(ClearanceMonitor, TouchingIsNotPenetrating) {
 }
 
 // Down to 0.2 mm below the plate's top, and up again.
-TEST(ClearanceMonitor, WhatAProbeTouchesIsNoContactUntilItGoesDeeper) {
+TEST(ClearanceMonitor, ProbeTouchIsNoContactUntilItGoesDeeper) {
     const std::string plate = box_at("plate", {100, 100, 10}, {500, 500, -5});
     const auto probed = [&] {
         MonitoredPair run(cell_of(ball_at_tip(10) + plate));
@@ -203,7 +203,7 @@ TEST(ClearanceMonitor, WhatAProbeTouchesIsNoContactUntilItGoesDeeper) {
     }
 }
 
-TEST(ClearanceMonitor, AContactAfterTheProbeHasPartedCounts) {
+TEST(ClearanceMonitor, ReportsContactAfterProbeRetracts) {
     MonitoredPair run(cell_of(ball_at_tip(10) + box_at("plate", {100, 100, 10}, {500, 500, -5})));
     const motion::Segment down = line(0, joints(500, 500, 50), joints(500, 500, 4.8), {100, 490});
     run.monitor.on_segment(down, false, true);
@@ -218,14 +218,14 @@ TEST(ClearanceMonitor, AContactAfterTheProbeHasPartedCounts) {
 }
 
 // Only a tool can probe.
-TEST(ClearanceMonitor, APartOfTheMachineThatIsNoToolCollidesWhileTheToolProbes) {
+TEST(ClearanceMonitor, ReportsContactOfNonToolPartDuringProbing) {
     const std::string wrist = "[[shape]]\nname = \"wrist\"\non = \"Z\"\nshape = { box_mm = [50, 50, 20] }\n";
     MonitoredPair run(cell_of(wrist + box_at("clamp", {10, 10, 50}, {520, 500, -25})));
     run.monitor.on_segment(line(0, joints(500, 500, 50), joints(500, 500, 0), {100, 490}), false, true);
     EXPECT_EQ(run.monitor.contacts().size(), 1U);
 }
 
-TEST(ClearanceMonitor, EachContactIsToldOnceAndAgainAfterTheyPart) {
+TEST(ClearanceMonitor, ReportsContactOnceAndAgainAfterSeparation) {
     MonitoredPair run(cell_of(ball_at_tip(10) + box_at("box", {100, 100, 100}, {500, 500, 0})));
     run.line_to(joints(400, 500, 0), joints(450, 500, 0), {100, 490});
     run.line_to(joints(450, 500, 0), joints(500, 500, 0), {100, 490});
@@ -239,7 +239,7 @@ TEST(ClearanceMonitor, EachContactIsToldOnceAndAgainAfterTheyPart) {
     EXPECT_EQ(run.monitor.contacts().size(), 2U);
 }
 
-TEST(ClearanceMonitor, WhatOverlapsAtTheStartIsInContactAtOnce) {
+TEST(ClearanceMonitor, ReportsOverlapAtStartImmediately) {
     MonitoredPair run(cell_of(ball_at_tip(10) + box_at("box", {100, 100, 100}, {500, 500, 0})));
     run.line_to(joints(500, 500, 0), joints(520, 500, 0), {100, 490});
     ASSERT_EQ(run.monitor.contacts().size(), 1U);
@@ -247,7 +247,7 @@ TEST(ClearanceMonitor, WhatOverlapsAtTheStartIsInContactAtOnce) {
     EXPECT_TRUE(run.monitor.contacts()[0].penetrating);
 }
 
-TEST(ClearanceMonitor, TheJetCutsWorkpiecesOnlyAndOnlyWhileItIsOn) {
+TEST(ClearanceMonitor, ReportsActiveJetOnFixtureButNotOnWorkpiece) {
     const std::string jet =
         "[[shape]]\nname = \"jet\"\non = \"jet\"\nshape = { cylinder_mm = [1, 10] }\nframe = { z_mm = -5 }\n";
     const std::string objects = box_at("sheet", {400, 100, 2}, {500, 500, -5}, "role = \"workpiece\"") +
@@ -267,7 +267,7 @@ TEST(ClearanceMonitor, TheJetCutsWorkpiecesOnlyAndOnlyWhileItIsOn) {
     EXPECT_EQ(off.monitor.contacts()[0].t_s, 3);
 }
 
-TEST(ClearanceMonitor, IgnoredPairsMayTouch) {
+TEST(ClearanceMonitor, IgnoresContactOfIgnoredPair) {
     const std::string tables = ball_at_tip(10) + box_at("box", {100, 100, 100}, {500, 500, 0});
     MonitoredPair run(cell_of(tables));
     run.cell.ignored.emplace_back(0, 1);
@@ -277,7 +277,7 @@ TEST(ClearanceMonitor, IgnoredPairsMayTouch) {
     EXPECT_FALSE(monitor.nearest());
 }
 
-TEST(ClearanceMonitor, MovedFramesCountAtOnce) {
+TEST(ClearanceMonitor, UsesMovedFramesImmediately) {
     MonitoredPair run(cell_of(ball_at_tip(10) + box_at("box", {100, 100, 100}, {500, 500, 0})));
     run.line_to(joints(0, 500, 0), joints(100, 500, 0), {100, 490});
     EXPECT_TRUE(run.monitor.contacts().empty());
@@ -288,7 +288,7 @@ TEST(ClearanceMonitor, MovedFramesCountAtOnce) {
 }
 
 // Distances and contacts of random motions of five axes against those of many samples.
-TEST(ClearanceMonitor, RandomMotionsAreAsNearAsTheirSamples) {
+TEST(ClearanceMonitor, RandomMotionsMatchSamples) {
     std::mt19937 random(12);
     Cell cell = cell_of(
         "[[shape]]\nname = \"head\"\non = \"C\"\nshape = { cylinder_mm = [40, 100] }\nframe = { y_mm = 60 "

@@ -29,7 +29,7 @@ motion::Segment path(const rrs::JointPos& from, const rrs::JointPos& to) {
     return line(0, from, to, {100});
 }
 
-TEST(CollisionChecker, ABallKeepsItsDistanceFromABlockJustSoFar) {
+TEST(CollisionChecker, RejectsOnlyPathsBelowClearance) {
     const Cell cell = cell_of(std::string(kBall) + kBlock);
     const machine::Machine machine = af5();
     const auto bodies = CollisionChecker::make(cell, machine).value();
@@ -43,7 +43,7 @@ TEST(CollisionChecker, ABallKeepsItsDistanceFromABlockJustSoFar) {
     }
 }
 
-TEST(CollisionChecker, SaysWhatIsInTheWayAndWhere) {
+TEST(CollisionChecker, ReportsObstacleAndContactPoint) {
     const Cell cell = cell_of(std::string(kBall) + kBlock);
     const machine::Machine machine = af5();
     const auto bodies = CollisionChecker::make(cell, machine).value();
@@ -56,7 +56,7 @@ TEST(CollisionChecker, SaysWhatIsInTheWayAndWhere) {
     EXPECT_FALSE(bodies.obstacle_at(joints(400, 500, 0), 1));
 }
 
-TEST(CollisionChecker, AThinPlateIsNotPassedOver) {
+TEST(CollisionChecker, FindsThinPlate) {
     const Cell cell = cell_of(
         "[[shape]]\nname = \"ball\"\non = \"tool\"\nshape = { sphere_mm = 0.5 }\n"
         "[[object]]\nname = \"plate\"\nshape = { box_mm = [0.01, 900, 900] }\nframe = { x_mm = 511, y_mm = "
@@ -69,7 +69,7 @@ TEST(CollisionChecker, AThinPlateIsNotPassedOver) {
 }
 
 // The turn sweeps bodies off the axis: a ball 100 mm above the TCP moves 100 sin(angle) to the side.
-TEST(CollisionChecker, ATurnSweepsWhatIsOffItsAxis) {
+TEST(CollisionChecker, ChecksSweepOfBodyOffRotationAxis) {
     const Cell cell = cell_of(
         "[[shape]]\nname = \"ball\"\non = \"tool\"\nshape = { sphere_mm = 10 }\nframe = { z_mm = 100 }\n"
         "[[object]]\nname = \"wall\"\nshape = { box_mm = [10, 400, 400] }\nframe = { x_mm = 560, y_mm = 500 "
@@ -85,7 +85,7 @@ TEST(CollisionChecker, ATurnSweepsWhatIsOffItsAxis) {
 }
 
 // The monitor of runs finds the min distance; this one only if it is less.
-TEST(CollisionChecker, AgreesWithTheWatchOfRuns) {
+TEST(CollisionChecker, AgreesWithClearanceMonitor) {
     const Cell cell = cell_of(
         "clearance_mm = 20\n"
         "[[shape]]\nname = \"head\"\non = \"C\"\nshape = { box_mm = [60, 80, 120] }\nframe = { z_mm = 90 "
@@ -119,7 +119,7 @@ TEST(CollisionChecker, AgreesWithTheWatchOfRuns) {
     EXPECT_GT(near, 60);
 }
 
-TEST(CollisionChecker, RefusesACellWhoseFramesGoByThemselves) {
+TEST(CollisionChecker, RejectsCellWithMovableFrames) {
     Cell cell = cell_of(std::string(kBlock));
     cell.make_movable(cell.items.back().frame, false);
     const auto rejected = CollisionChecker::make(cell, af5());

@@ -19,7 +19,7 @@ CartPos at(double x, double y = 0, double z = 0) {
     return CartPos(Eigen::Translation3d(x, y, z));
 }
 
-TEST(UniformMotion, LeadsFromPoseToPoseEvenly) {
+TEST(UniformMotion, MovesEvenlyBetweenPoses) {
     std::mt19937 random(5);
     for (int i = 0; i < 20; ++i) {
         const CartPos from = random_pose(random, 100);
@@ -34,7 +34,7 @@ TEST(UniformMotion, LeadsFromPoseToPoseEvenly) {
     }
 }
 
-TEST(FrameTrajectory, EachDriftHoldsUntilTheNext) {
+TEST(FrameTrajectory, KeepsEachDriftUntilNextOne) {
     FrameTrajectory trajectory(at(1));
     trajectory.add({.from_s = 2, .pose = at(1), .velocity_mm_s = Vector3d(10, 0, 0)});
     trajectory.add({.from_s = 4, .pose = at(50)});
@@ -54,9 +54,9 @@ TEST(FrameTrajectory, EachDriftHoldsUntilTheNext) {
 
 // A ball of 10 mm at the TCP, and on the belt a plate of 0.1 mm across it. The plate is at X 1000 if the belt
 // is at 0.
-class OnTheBelt : public testing::Test {
+class ConveyorContact : public testing::Test {
   protected:
-    OnTheBelt()
+    ConveyorContact()
         : cell(read_cell(R"(
 [cell]
 name = "belt"
@@ -86,7 +86,7 @@ shape = { sphere_mm = 10.0 }
     ClearanceMonitor monitor;
 };
 
-TEST_F(OnTheBelt, ARobotAtRestIsHit) {
+TEST_F(ConveyorContact, HitsRobotAtStandstill) {
     belt(0, 0, -50);
     monitor.on_segment(standstill(0, joints(500, 500, 0), 20), false);
     EXPECT_NEAR(first_contact_s(), (kGap_mm - 500) / 50, 1e-7);
@@ -94,21 +94,21 @@ TEST_F(OnTheBelt, ARobotAtRestIsHit) {
     EXPECT_NEAR(monitor.contacts()[0].point_mm.x(), 505, 1e-5);
 }
 
-TEST_F(OnTheBelt, AThinPlateIsFoundThoughBothAreFast) {
+TEST_F(ConveyorContact, FindsThinPlateIfBothMoveFast) {
     belt(0, 0, -500);
     monitor.on_segment(line(0, joints(0, 500, 0), joints(900, 500, 0), {508}), false);
     EXPECT_NEAR(first_contact_s(), kGap_mm / 1008, 2e-8);
 }
 
 // The TCP accelerates with 490 mm/s2 after a plate that moves away at 100: 490/2 t^2 = 20 + 100 t.
-TEST_F(OnTheBelt, ARobotThatSpeedsUpCatchesThePlate) {
+TEST_F(ConveyorContact, AcceleratingRobotCatchesPlate) {
     belt(0, -500, 100);
     const rrs::JointPos from = joints(kGap_mm - 500 - 20, 500, 0);
     monitor.on_segment(line(0, from, from + joints(900, 0, 0), {508, 490}), false);
     EXPECT_NEAR(first_contact_s(), (100 + std::sqrt(100 * 100 + 4 * 245 * 20)) / (2 * 245), 1e-7);
 }
 
-TEST_F(OnTheBelt, OneThatGoesAlongKeepsItsDistance) {
+TEST_F(ConveyorContact, RobotAtConveyorSpeedKeepsClearance) {
     belt(0, -500, 100);
     const rrs::JointPos from = joints(kGap_mm - 500 - 1, 500, 0);
     monitor.on_segment(line(0, from, from + joints(300, 0, 0), {100}), false);
@@ -117,7 +117,7 @@ TEST_F(OnTheBelt, OneThatGoesAlongKeepsItsDistance) {
     EXPECT_NEAR(monitor.nearest()->distance_mm, 1, 1e-4);
 }
 
-TEST_F(OnTheBelt, ASpeedMayChangeWithinASegment) {
+TEST_F(ConveyorContact, FollowsSpeedChangeWithinSegment) {
     belt(0, 0, -50);
     belt(3, -150, 0);
     belt(5, -150, -200);
@@ -127,7 +127,7 @@ TEST_F(OnTheBelt, ASpeedMayChangeWithinASegment) {
     EXPECT_NEAR(first_contact_s(), 5 + (kGap_mm - 500 - 150) / 200, 1e-7);
 }
 
-TEST_F(OnTheBelt, AJumpIsNoMotion) {
+TEST_F(ConveyorContact, JumpHasNoContactBetweenItsEnds) {
     belt(0, 0, 0);
     belt(2, -700, 0);  // past the TCP, which it does not touch
     monitor.on_segment(standstill(0, joints(500, 500, 0), 4), false);
@@ -140,7 +140,7 @@ TEST_F(OnTheBelt, AJumpIsNoMotion) {
 
 // A bar that turns about its end by a quarter while it moves 100 mm meets the ball at the time given by
 // sin(angle).
-TEST(LedFrames, TurnOnTheirWay) {
+TEST(MovableFrames, TurnWhileMoving) {
     Cell cell = read_cell(R"(
 [cell]
 name = "door"
@@ -177,7 +177,7 @@ shape = { sphere_mm = 10.0 }
 }
 
 // An object on a frame may have been released to move independently before that frame.
-TEST(LedFrames, GoOnEachOther) {
+TEST(MovableFrames, MoveRelativeToEachOther) {
     Cell cell = read_cell(R"(
 [cell]
 name = "lorry"
@@ -210,7 +210,7 @@ shape = { sphere_mm = 10.0 }
     EXPECT_NEAR(monitor.contacts()[0].t_s, 5 - 10 / (40 * std::sqrt(2)), 1e-7);
 }
 
-TEST(CellFile, AConveyorMustNotBeCalledAsAFrameOfTheMachine) {
+TEST(CellFile, RejectsConveyorNamedAsMachineFrame) {
     const std::vector<std::string> names{"tool"};
     EXPECT_FALSE(read_cell("[cell]\nname = \"c\"\n", "c.toml", af5(), names));
 }

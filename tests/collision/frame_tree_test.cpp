@@ -8,7 +8,7 @@
 namespace gsim::cell::frame_tree_test {
 namespace {
 
-TEST(FrameTree, FramesGoWithWhatTheyAreAttachedTo) {
+TEST(FrameTree, FramesMoveWithParent) {
     const machine::Machine machine = af5();
     FrameTree frames(machine);
     const auto table = frames.add("table", *frames.find("world"), shift(100, 0, 0));
@@ -24,7 +24,7 @@ TEST(FrameTree, FramesGoWithWhatTheyAreAttachedTo) {
     EXPECT_TRUE(frames.pose_in_world(camera, links).isApprox(links[3] * shift(1, 2, 3)));
 }
 
-TEST(FrameTree, TheToolIsWhereTheKinematicsHaveIt) {
+TEST(FrameTree, ToolFrameMatchesKinematics) {
     machine::Machine machine = af5();
     machine.base.z_mm = 100;
     const auto kinematics = machine::make_kinematics(machine);
@@ -36,7 +36,7 @@ TEST(FrameTree, TheToolIsWhereTheKinematicsHaveIt) {
     EXPECT_FALSE(frames.find("Q"));
 }
 
-TEST(FrameTree, AxesThatCarryTheWorkCarryItsFrame) {
+TEST(FrameTree, WorkAxesMoveWorkFrame) {
     machine::Machine machine = af5();
     machine.axes[0].carries = machine::CarriedPart::work;
     machine.inverse = machine::InverseKind::none;

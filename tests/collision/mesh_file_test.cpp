@@ -78,7 +78,7 @@ Eigen::AlignedBox3d bounds(const TriangleMesh& mesh) {
     return box;
 }
 
-TEST(MeshFile, ReadsAllThreeFormats) {
+TEST(MeshFile, ReadsBinaryStlTextStlAndObj) {
     const Surface box = box_surface({2, 3, 4});
     for (const auto& [bytes, name] :
          {std::pair(stl_binary(box), "part.stl"), std::pair(stl_text(box), "part.STL"),
@@ -90,7 +90,7 @@ TEST(MeshFile, ReadsAllThreeFormats) {
     }
 }
 
-TEST(MeshFile, SaysWhereAndWhatIsWrong) {
+TEST(MeshFile, ReportsErrorsWithSourceLocation) {
     const std::string binary = stl_binary(box_surface({1, 1, 1}));
     EXPECT_THAT(error_of(binary.substr(84)), HasSubstr("part.stl: "));
     std::string renamed = binary;
@@ -117,7 +117,7 @@ TEST(MeshFile, SaysWhereAndWhatIsWrong) {
 }
 
 // Whatever is done to a file, it is read or refused with its name; what is read is finite.
-TEST(MeshFile, MangledFilesNeitherHangNorCrash) {
+TEST(MeshFile, ReadsOrRejectsMangledFiles) {
     std::mt19937 random(8);
     const Surface surface = box_surface({1, 2, 3});
     const std::array<std::pair<std::string, std::string_view>, 3> files{

@@ -72,7 +72,7 @@ TEST(MotionBound, HoldsForRandomChainsAndMotions) {
 }
 
 // Links that drift in the world, on a link of the machine and on each other.
-TEST(MotionBound, HoldsForLinksThatGoByThemselves) {
+TEST(MotionBound, HoldsForIndependentLinks) {
     std::mt19937 random(17);
     for (int i = 0; i < 60; ++i) {
         const auto chain = random_chain(random, 3 + i % 4);
@@ -103,7 +103,7 @@ TEST(MotionBound, HoldsForLinksThatGoByThemselves) {
 }
 
 // The tool moves on a great circle while its TCP continues, in proportion to the path or to the time.
-TEST(MotionBound, HoldsOnGreatCirclesOfTheTool) {
+TEST(MotionBound, HoldsOnGreatCirclesOfTool) {
     std::mt19937 random(13);
     const machine::Machine machine = af5();
     const auto kinematics = machine::make_kinematics(machine);
@@ -135,7 +135,7 @@ TEST(MotionBound, HoldsOnGreatCirclesOfTheTool) {
     EXPECT_GT(found, 20);
 }
 
-TEST(MotionBound, StraightWaysDoNotBend) {
+TEST(MotionBound, LinesHaveNoDeviation) {
     const machine::Machine machine = af5();
     const auto kinematics = machine::make_kinematics(machine);
     const Segment segment = line(0, joints(0, 0, 0), joints(30, 40, 0), {50, 490});
@@ -154,7 +154,7 @@ TEST(MotionBound, StraightWaysDoNotBend) {
                 40, 1e-9);
 }
 
-TEST(MotionBound, ArcsBendByTheirRiseOverTheChord) {
+TEST(MotionBound, ArcsDeviateByTheirSagitta) {
     const machine::Machine machine = af5();
     const auto kinematics = machine::make_kinematics(machine);
     const Segment segment = turn(0, joints(500, 500, 0), 100, {50});
@@ -168,7 +168,7 @@ TEST(MotionBound, ArcsBendByTheirRiseOverTheChord) {
     EXPECT_NEAR(bound.deviation_mm, 100 * (1 - std::cos(angle / 2)), 1e-4);
 }
 
-TEST(MotionBound, ATurnReachesAsFarAsTheBody) {
+TEST(MotionBound, TravelOfTurnIsAngleTimesBodyReach) {
     const machine::Machine machine = af5();
     const auto kinematics = machine::make_kinematics(machine);
     const Segment segment = line(0, joints(0, 0, 0), joints(0, 0, 0, 0.1, 0), {1});

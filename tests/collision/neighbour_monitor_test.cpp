@@ -59,7 +59,7 @@ struct Neighbours {
 };
 
 // Both ramp up and then go on at their speeds: x = v (t - v / 2a).
-TEST(NeighbourMonitor, TwoSlidesMeetWhenTheirWaysAddUp) {
+TEST(NeighbourMonitor, SlidesMeetWhenTheirTravelsAddUp) {
     Neighbours robots(ball(30), ball(50), 100);
     const auto to_right = line(0, joints(0, 500, 0), joints(1000, 500, 0), {200, 400});
     const auto to_left = line(0.25, joints(900, 500, 0), joints(100, 500, 0), {100, 1000});
@@ -75,7 +75,7 @@ TEST(NeighbourMonitor, TwoSlidesMeetWhenTheirWaysAddUp) {
     EXPECT_EQ(robots.monitor.pair_count(), 1U);
 }
 
-TEST(NeighbourMonitor, ManySmallStepsMeetWhatOneMoveMeets) {
+TEST(NeighbourMonitor, SmallStepsFindSameContactAsOneMove) {
     Neighbours robots(ball(30), ball(50), 100);
     const auto stand = standstill(0, joints(900, 500, 0), 10);
     for (int step = 0; step < 4000; ++step) {
@@ -88,7 +88,7 @@ TEST(NeighbourMonitor, ManySmallStepsMeetWhatOneMoveMeets) {
 }
 
 // Balls that cross at a right angle, at the same distance from the crossing: they come nearest there.
-TEST(NeighbourMonitor, WhatPassesAtADistanceIsClean) {
+TEST(NeighbourMonitor, CrossingBodiesMeetOnlyBelowContactDistance) {
     for (const double late_mm : {56.0, 57.0}) {
         Neighbours robots(ball(30), ball(50), 0.0, 300);
         const auto along_x = line(0, joints(0, 500, 0), joints(1000, 500, 0), {100});
@@ -104,7 +104,7 @@ TEST(NeighbourMonitor, WhatPassesAtADistanceIsClean) {
     }
 }
 
-TEST(NeighbourMonitor, AContactThatEndsAndBeginsAgainIsTwo) {
+TEST(NeighbourMonitor, ReportsRenewedContactAgain) {
     Neighbours robots(ball(30), ball(50), 100);
     const auto stand = standstill(0, joints(400, 500, 0), 100);
     double time_s = 0;
@@ -118,7 +118,7 @@ TEST(NeighbourMonitor, AContactThatEndsAndBeginsAgainIsTwo) {
     EXPECT_NEAR(robots.contacts()[1].t_s, 4.7 + 2.7 + 2.6, 2e-8);
 }
 
-TEST(NeighbourMonitor, TheJetReachesWhileItIsOn) {
+TEST(NeighbourMonitor, JetTouchesOnlyWhileOn) {
     const std::string jet =
         "[[shape]]\nname = \"jet\"\non = \"jet\"\nshape = { box_mm = [1.0, 1.0, 200.0] }\n"
         "frame = { z_mm = -100.0 }\n";
@@ -132,7 +132,7 @@ TEST(NeighbourMonitor, TheJetReachesWhileItIsOn) {
     }
 }
 
-TEST(NeighbourMonitor, WhatARobotCarriesIsLookedAtAndWhatStandsIsNot) {
+TEST(NeighbourMonitor, ChecksCarriedBodiesButNotStationaryOnes) {
     const auto part = [](const std::string& on) {
         return fmt::format(
             "[[object]]\nname = \"part\"\nattached_to = \"{}\"\nshape = {{ box_mm = [10.0, 10.0, 10.0] }}\n",
@@ -175,7 +175,7 @@ double distance_mm(const std::array<std::shared_ptr<const MachineBodies>, 2>& ma
 }
 
 // For any motion of the joints no contact is missed, and the machines touch if one is reported.
-TEST(NeighbourMonitor, FindsTheFirstContactOfAnyTwoMachines) {
+TEST(NeighbourMonitor, FindsFirstContactOfRandomMachines) {
     std::mt19937 random(19);
     const double radius_mm = 10;
     const Shape shape = Shape::sphere(2 * radius_mm);

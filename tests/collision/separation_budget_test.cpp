@@ -26,7 +26,7 @@ void add_ways(const SegmentMotion& motion, int link, int from, const std::vector
     }
 }
 
-TEST(SeparationBudget, NoPointGoesFartherThanIsTaken) {
+TEST(SeparationBudget, NoPointTravelsFartherThanSpent) {
     std::mt19937 random(23);
     int taken = 0;
     for (int i = 0; i < 40; ++i) {
@@ -58,7 +58,7 @@ TEST(SeparationBudget, NoPointGoesFartherThanIsTaken) {
     EXPECT_GT(taken, 200);
 }
 
-TEST(SeparationBudget, EndsWithTheSlack) {
+TEST(SeparationBudget, RejectsTravelBeyondSlack) {
     const auto step = joint_travel(line(0, joints(0, 0, 0), joints(3, 4, 0), {50}), 0, 0.1);
     SeparationBudget leeway;
     EXPECT_FALSE(leeway.spend(step));

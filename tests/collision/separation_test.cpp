@@ -17,7 +17,7 @@ Body box_on(const Shape& shape, int link, const Eigen::Vector3d& at_mm) {
     return {&shape, link, Eigen::Isometry3d(Eigen::Translation3d(at_mm))};
 }
 
-TEST(Separation, IsTheGapAlongADirection) {
+TEST(Separation, IsGapAlongDirection) {
     const Shape box = Shape::box({10, 20, 30});
     const Shape ball = Shape::sphere(8);
     const LinkFrames links{rrs::CartPos::Identity()};
@@ -29,7 +29,7 @@ TEST(Separation, IsTheGapAlongADirection) {
 }
 
 // A head that slides along a table and turns about the normal of the table comes no nearer to it.
-TEST(Separation, WhatGoesAcrossCostsNothing) {
+TEST(Separation, PerpendicularTravelCostsNothing) {
     const auto kinematics = machine::make_kinematics(af5());
     const rrs::JointPos middle = joints(900, 1200, 300);
     rrs::JointPos half = joints(900, 1200, 300, 3.0);
@@ -46,7 +46,7 @@ TEST(Separation, WhatGoesAcrossCostsNothing) {
 
 // No configuration in the part comes nearer along the direction than the distances allow, and the direction
 // moves with the second body.
-TEST(Separation, HoldsInRandomParts) {
+TEST(Separation, HoldsInRandomJointBoxes) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (const char* file : {"arm6.toml", "mill-table-table.toml"}) {

@@ -24,7 +24,7 @@ void expect_gap(const Gap& gap, double distance_mm, double within_mm = 1e-8) {
     EXPECT_NEAR((gap.on_first - gap.on_second).norm(), distance_mm, within_mm);
 }
 
-TEST(ShapeGap, BoxesFaceToFaceEdgeToEdgeCornerToCorner) {
+TEST(ShapeGap, MeasuresBoxesAtFacesEdgesAndCorners) {
     const Shape box = Shape::box({10, 20, 30});
     expect_gap(shape_distance(box, shift(13, 5, 5), box, kUnbounded_mm), 3);
     expect_gap(shape_distance(box, shift(13, 24, 0), box, kUnbounded_mm), 5);
@@ -34,7 +34,7 @@ TEST(ShapeGap, BoxesFaceToFaceEdgeToEdgeCornerToCorner) {
                15 - 5 * std::sqrt(2.0));
 }
 
-TEST(ShapeGap, RoundBodiesOverAPlate) {
+TEST(ShapeGap, MeasuresRoundBodiesAbovePlate) {
     const Shape plate = Shape::box({200, 200, 2});
     expect_gap(shape_distance(Shape::sphere(10), shift(3, 4, 8), plate, kUnbounded_mm), 2);
     expect_gap(shape_distance(Shape::capsule(10, 20), shift(3, 4, 18), plate, kUnbounded_mm), 2);
@@ -47,7 +47,7 @@ TEST(ShapeGap, RoundBodiesOverAPlate) {
     expect_gap(shape_distance(Shape::cylinder(10, 20), tilted, plate, kUnbounded_mm), 19 - low);
 }
 
-TEST(ShapeGap, RoundBodiesSideBySide) {
+TEST(ShapeGap, MeasuresRoundBodiesSideBySide) {
     const auto across = turned(90, Vector3d::UnitX(), shift(0, 0, 20));
     expect_gap(shape_distance(Shape::cylinder(10, 50), across, Shape::sphere(6), kUnbounded_mm), 12);
     expect_gap(
@@ -58,7 +58,7 @@ TEST(ShapeGap, RoundBodiesSideBySide) {
         std::hypot(35, 12));
 }
 
-TEST(ShapeGap, WhatOverlapsHasNoDistance) {
+TEST(ShapeGap, IsZeroForOverlap) {
     const Shape box = Shape::box({10, 10, 10});
     EXPECT_EQ(shape_distance(box, shift(3, 3, 3), box, kUnbounded_mm).upper_mm, 0);
     EXPECT_EQ(shape_distance(box, Isometry3d::Identity(), box, kUnbounded_mm).upper_mm, 0);
@@ -66,14 +66,14 @@ TEST(ShapeGap, WhatOverlapsHasNoDistance) {
     EXPECT_EQ(shape_distance(Shape::cylinder(8, 8), shift(8, 0, 0), box, kUnbounded_mm).upper_mm, 0);
 }
 
-TEST(ShapeGap, FarBodiesAreFarEnough) {
+TEST(ShapeGap, CapsLowerBoundAtLimit) {
     const Shape box = Shape::box({10, 10, 10});
     EXPECT_EQ(shape_distance(box, shift(100, 0, 0), box, 50).lower_mm, 50);
 }
 
 // A distance is proved from both sides: two points of the bodies are as near, and a plane between them keeps
 // the bodies as far from each other.
-TEST(ShapeGap, RandomConvexBodiesAreProvedFromBothSides) {
+TEST(ShapeGap, BoundsOfRandomConvexBodiesAgree) {
     std::mt19937 random(3);
     for (int i = 0; i < 3000; ++i) {
         const double diameter = between(random, 0.1, 100);
@@ -92,7 +92,7 @@ TEST(ShapeGap, RandomConvexBodiesAreProvedFromBothSides) {
 }
 
 // A body moved by 1e-7 mm is nearer or farther by no more: no flat set of corners counts as an overlap.
-TEST(ShapeGap, DistancesDoNotJump) {
+TEST(ShapeGap, ChangesContinuously) {
     std::mt19937 random(17);
     const Isometry3d current = Isometry3d::Identity();
     for (int i = 0; i < 20'000; ++i) {
@@ -112,7 +112,7 @@ TEST(ShapeGap, DistancesDoNotJump) {
 }
 
 // Bodies that the library of collisions treats by another algorithm.
-TEST(ShapeGap, BoxesAsTheLibraryHasThem) {
+TEST(ShapeGap, AgreesWithFclForBoxes) {
     std::mt19937 random(4);
     for (int i = 0; i < 500; ++i) {
         const Isometry3d pose = random_pose(random, 150);
@@ -128,7 +128,7 @@ TEST(ShapeGap, BoxesAsTheLibraryHasThem) {
     }
 }
 
-TEST(ShapeGap, MeshesAreNearestByTheirNearestTriangle) {
+TEST(ShapeGap, MeshDistanceIsThatOfNearestTriangle) {
     std::mt19937 random(5);
     const Surface surface = torus(100, 30, 16);
     const Shape mesh = Shape::mesh(surface.mesh());
@@ -150,7 +150,7 @@ TEST(ShapeGap, MeshesAreNearestByTheirNearestTriangle) {
     }
 }
 
-TEST(ShapeGap, AMeshOfABoxIsABox) {
+TEST(ShapeGap, MeshOfBoxEqualsBox) {
     std::mt19937 random(6);
     const Shape box = Shape::box({20, 30, 40});
     const Shape mesh = Shape::mesh(box_surface({20, 30, 40}).mesh());
@@ -163,7 +163,7 @@ TEST(ShapeGap, AMeshOfABoxIsABox) {
     }
 }
 
-TEST(ShapeGap, OnAStraightWayTheHullIsWhatIsPassed) {
+TEST(ShapeGap, SweptHullHasMinDistanceOfStraightPath) {
     std::mt19937 random(7);
     const Shape mesh = Shape::mesh(torus(60, 20, 12).mesh());
     const Shape tool = Shape::cylinder(15, 40);
@@ -185,7 +185,7 @@ TEST(ShapeGap, OnAStraightWayTheHullIsWhatIsPassed) {
     }
 }
 
-TEST(TriangleMesh, RefusesWhatIsNone) {
+TEST(TriangleMesh, RejectsInvalidMesh) {
     const std::vector<Vector3d> corners{Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY()};
     EXPECT_THROW(TriangleMesh(corners, {}), std::invalid_argument);
     EXPECT_THROW(TriangleMesh(corners, std::vector<Triangle>{{0, 1, 3}}), std::invalid_argument);
@@ -193,7 +193,7 @@ TEST(TriangleMesh, RefusesWhatIsNone) {
     EXPECT_THROW(TriangleMesh(infinite, std::vector<Triangle>{{0, 1, 2}}), std::invalid_argument);
 }
 
-TEST(TriangleMesh, TrianglesWithoutAreaAreStillThere) {
+TEST(TriangleMesh, KeepsTrianglesWithoutArea) {
     const std::vector<Vector3d> corners{Vector3d::Zero(), Vector3d::UnitX(), Vector3d(2, 0, 0)};
     const std::vector<Triangle> triangles(40, Triangle{0, 1, 2});
     const Shape needle = Shape::mesh(std::make_shared<const TriangleMesh>(corners, triangles));

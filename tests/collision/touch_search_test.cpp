@@ -26,7 +26,7 @@ TouchSearch make_search(const Cell& cell, const Eigen::Vector3d& tcp_mm = Eigen:
     return TouchSearch::make(cell, af5(), tcp_mm).value();
 }
 
-TEST(TouchSearch, FindsTheFirstTouchOfTheToolsBody) {
+TEST(TouchSearch, FindsFirstTouchOfToolBody) {
     const Cell cell = cell_of(std::string(kBall) + kBlock);
     const TouchSearch search = make_search(cell);
     const motion::Segment path = line(0, joints(395, 500, 0), joints(520, 500, 0), {100});
@@ -36,7 +36,7 @@ TEST(TouchSearch, FindsTheFirstTouchOfTheToolsBody) {
     EXPECT_FALSE(search.first_touch_s(line(0, joints(395, 500, 0), joints(494.9, 500, 0), {100})));
 }
 
-TEST(TouchSearch, TakesTheEarliestOfSeveralBodies) {
+TEST(TouchSearch, ReturnsEarliestOfSeveralTouches) {
     const Cell cell = cell_of(std::string(kBall) + kBlock +
                               "[[object]]\nname = \"post\"\nshape = { cylinder_mm = [20, 50] }\n"
                               "frame = { x_mm = 445, y_mm = 500 }\n");
@@ -44,7 +44,7 @@ TEST(TouchSearch, TakesTheEarliestOfSeveralBodies) {
     EXPECT_NEAR(make_search(cell).first_touch_s(path).value(), 0.3, kSame_s);
 }
 
-TEST(TouchSearch, WithoutABodyOnTheToolTheTipIsAPoint) {
+TEST(TouchSearch, UsesTcpIfToolHasNoBody) {
     const Cell cell = cell_of(kBlock);
     const motion::Segment path = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
     EXPECT_NEAR(make_search(cell).first_touch_s(path).value(), 1, kSame_s);
@@ -52,7 +52,7 @@ TEST(TouchSearch, WithoutABodyOnTheToolTheTipIsAPoint) {
     EXPECT_FALSE(make_search(cell, {0, 0, 60}).first_touch_s(path));  // it passes above
 }
 
-TEST(TouchSearch, FindsWhereContactIsLost) {
+TEST(TouchSearch, FindsEndOfContact) {
     const Cell cell = cell_of(std::string(kBall) + kBlock);
     const TouchSearch search = make_search(cell);
     const motion::Segment away = line(0, joints(515, 500, 0), joints(395, 500, 0), {100});
@@ -61,7 +61,7 @@ TEST(TouchSearch, FindsWhereContactIsLost) {
 }
 
 // A ball 100 mm above the TCP leaves a wall as the tool turns back: 100 sin(angle) + 5 = 55.
-TEST(TouchSearch, FollowsATurn) {
+TEST(TouchSearch, FindsTouchAndReleaseOfTurn) {
     const Cell cell = cell_of(
         "[[shape]]\nname = \"stylus\"\non = \"tool\"\nshape = { sphere_mm = 10 }\nframe = { z_mm = 100 }\n"
         "[[object]]\nname = \"wall\"\nshape = { box_mm = [10, 400, 400] }\nframe = { x_mm = 560, y_mm = 500 "
@@ -73,7 +73,7 @@ TEST(TouchSearch, FollowsATurn) {
     EXPECT_NEAR(search.first_release_s(back).value(), (0.6 - std::asin(0.5)) / 0.5, kSame_s);
 }
 
-TEST(TouchSearch, TheJetAndWhatIsNoToolFeelNothing) {
+TEST(TouchSearch, IgnoresJetAndNonToolBodies) {
     const Cell cell = cell_of(std::string(kBlock) +
                               "[[shape]]\nname = \"wrist\"\non = \"Z\"\nshape = { sphere_mm = 50 }\n"
                               "[[shape]]\nname = \"jet\"\non = \"jet\"\nshape = { sphere_mm = 50 }\n");
@@ -81,7 +81,7 @@ TEST(TouchSearch, TheJetAndWhatIsNoToolFeelNothing) {
     EXPECT_NEAR(make_search(cell).first_touch_s(path).value(), 1, kSame_s);  // the TCP does
 }
 
-TEST(TouchSearch, IsRefusedWhereFramesGoByThemselves) {
+TEST(TouchSearch, RejectsCellWithMovableFrames) {
     Cell cell = cell_of(std::string(kBall) + kBlock);
     cell.make_movable(*cell.frames.find("block"), false);
     const auto search = TouchSearch::make(cell, af5(), {0, 0, 0});

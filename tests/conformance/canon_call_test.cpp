@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(CanonCall, HasANameAndNumbersPartedByCommasOrBlanks) {
+TEST(CanonCall, HasNameAndNumbers) {
     const auto traverse = read_canon_call("   12 N..... STRAIGHT_TRAVERSE(1.0000, -2.5000, 0.0000)");
     ASSERT_TRUE(traverse);
     EXPECT_EQ(traverse->name, "STRAIGHT_TRAVERSE");
@@ -21,7 +21,7 @@ TEST(CanonCall, HasANameAndNumbersPartedByCommasOrBlanks) {
     EXPECT_THAT(tool->numbers(), ElementsAre(1, 0, 5, 0, 0, 2));
 }
 
-TEST(CanonCall, MayHoldWordsOrNothing) {
+TEST(CanonCall, MayHaveWordsOrNoArguments) {
     const auto units = read_canon_call("    1 N..... USE_LENGTH_UNITS(CANON_UNITS_MM)");
     ASSERT_TRUE(units);
     EXPECT_EQ(units->arguments, "CANON_UNITS_MM");
@@ -36,7 +36,7 @@ TEST(CanonCall, KeepsBracketsInComments) {
     EXPECT_EQ(comment->arguments, R"("a (nested) remark")");
 }
 
-TEST(CanonCall, IsNotInOtherLines) {
+TEST(CanonCall, IsNotFoundInOtherLines) {
     EXPECT_FALSE(read_canon_call(""));
     EXPECT_FALSE(read_canon_call("   "));
     EXPECT_FALSE(read_canon_call("executing"));

@@ -7,7 +7,7 @@
 namespace gsim::conformance::canon_frame_test {
 namespace {
 
-TEST(CanonFrame, TurnsInchesIntoMillimetresButLeavesDegrees) {
+TEST(CanonFrame, ConvertsInchesButNotDegrees) {
     CanonFrame frame;
     frame.set_unit(25.4);
     const PrintedPoint point = frame.to_machine({1, 2, 3, 90, -45, 30});
@@ -16,7 +16,7 @@ TEST(CanonFrame, TurnsInchesIntoMillimetresButLeavesDegrees) {
     EXPECT_DOUBLE_EQ(point.tolerance[3], kPrinted);
 }
 
-TEST(CanonFrame, KeepsOffsetsInTheUnitInWhichTheyWereGiven) {
+TEST(CanonFrame, KeepsUnitOfGivenOffsets) {
     CanonFrame frame;
     frame.set_unit(25.4);
     frame.set_work_offset(std::array{1.0, 0.0, 0.0});
@@ -28,7 +28,7 @@ TEST(CanonFrame, KeepsOffsetsInTheUnitInWhichTheyWereGiven) {
 }
 
 // The offset of G92 is part of the program's coordinates, which turn; the work offset and the tool's do not.
-TEST(CanonFrame, TurnsTheG92OffsetButNotTheOthers) {
+TEST(CanonFrame, RotatesOnlyG92Offset) {
     CanonFrame frame;
     frame.set_rotation_deg(90);
     frame.set_work_offset(std::array{100.0, 200.0, 300.0});
@@ -41,7 +41,7 @@ TEST(CanonFrame, TurnsTheG92OffsetButNotTheOthers) {
     EXPECT_DOUBLE_EQ(point.at[3], 8);
 }
 
-TEST(CanonFrame, LetsTheDigitsOfTheAngleCountWithTheDistance) {
+TEST(CanonFrame, ToleranceGrowsWithDistanceUnderRotation) {
     CanonFrame frame;
     frame.set_rotation_deg(30);
     EXPECT_LT(frame.to_machine({0, 0, 0, 0, 0, 0}).tolerance[0], 2 * kPrinted);

@@ -47,7 +47,7 @@ TEST(CanonReader, ReadsArcsInTheirPlane) {
     EXPECT_EQ(moves[2].move.arc->turns, 3);
 }
 
-TEST(CanonReader, TurnsArcCentresWithTheRotation) {
+TEST(CanonReader, RotatesArcCentres) {
     const auto moves =
         expected_moves({"SET_G5X_OFFSET(1, 10.0, 0.0, 0.0, 0.0, 0.0, 0.0)", "SET_XY_ROTATION(90.0)",
                         "ARC_FEED(20.0, 0.0, 10.0, 0.0, 1, 0.0, 0.0, 0.0, 0.0)"});
@@ -59,7 +59,7 @@ TEST(CanonReader, TurnsArcCentresWithTheRotation) {
 
 // LinuxCNC's controller does the same with the call (ARC_FEED in emccanon.cc): the plane turns with the
 // program.
-TEST(CanonReader, TurnsThePlanesOfArcsWithTheRotation) {
+TEST(CanonReader, RotatesArcPlanes) {
     const auto moves = expected_moves({"SET_XY_ROTATION(30.0)", "SELECT_PLANE(CANON_PLANE_XZ)",
                                        "ARC_FEED(0.0, 20.0, 0.0, 10.0, 1, 0.0, 0.0, 0.0, 0.0)"});
     ASSERT_EQ(moves.size(), 1U);
@@ -70,7 +70,7 @@ TEST(CanonReader, TurnsThePlanesOfArcsWithTheRotation) {
     EXPECT_NEAR(arc.center_mm[1], 5, 1e-12);
 }
 
-TEST(CanonReader, CallsFeedsInStepWithTheSpindleThreads) {
+TEST(CanonReader, ReadsSpindleSynchronizedFeedAsThread) {
     const auto moves =
         expected_moves({"SET_FEED_RATE(5.0)", "START_SPEED_FEED_SYNC(1.25, 0)",
                         "STRAIGHT_FEED(0.0, 0.0, -9.0, 0.0, 0.0, 0.0)", "STOP_SPEED_FEED_SYNCH()",
@@ -81,7 +81,7 @@ TEST(CanonReader, CallsFeedsInStepWithTheSpindleThreads) {
     EXPECT_EQ(moves[1].move.kind, Kind::linear);
 }
 
-TEST(CanonReader, TakesATapThereAndBack) {
+TEST(CanonReader, ReadsTapAsMoveAndReturn) {
     const auto moves =
         expected_moves({"STRAIGHT_TRAVERSE(1.0, 2.0, 3.0, 4.0, 5.0, 6.0)", "START_SPEED_FEED_SYNC(1.5, 0)",
                         "RIGID_TAP(1.0, 2.0, -20.0)", "STOP_SPEED_FEED_SYNCH()"});
@@ -91,7 +91,7 @@ TEST(CanonReader, TakesATapThereAndBack) {
     EXPECT_EQ(moves[2].move.to, (AxisValues{1, 2, 3, 4, 5, 6}));
 }
 
-TEST(CanonReader, StandsBeforeAProbesTarget) {
+TEST(CanonReader, StopsBeforeProbeTarget) {
     const auto moves = expected_moves({"STRAIGHT_TRAVERSE(0.0, 0.0, 10.0, 0.0, 0.0, 0.0)",
                                        "STRAIGHT_PROBE(0.0, 0.0, -5.0, 0.0, 0.0, 0.0)"});
     ASSERT_EQ(moves.size(), 2U);
@@ -99,7 +99,7 @@ TEST(CanonReader, StandsBeforeAProbesTarget) {
     EXPECT_NEAR(moves[1].stop[2], -4.746, 1e-12);
 }
 
-TEST(CanonReader, TurnsFeedsByTheTurnIntoFeedsByTheMinuteWhereTheSpeedIsKnown) {
+TEST(CanonReader, ConvertsFeedPerTurnIfSpindleSpeedIsKnown) {
     const auto moves = expected_moves(
         {"SET_FEED_MODE(0, 1)", "SET_FEED_RATE(0.2)", "STRAIGHT_FEED(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
          "SET_SPINDLE_SPEED(0, 1000.0)", "STRAIGHT_FEED(2.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
@@ -112,7 +112,7 @@ TEST(CanonReader, TurnsFeedsByTheTurnIntoFeedsByTheMinuteWhereTheSpeedIsKnown) {
     EXPECT_DOUBLE_EQ(*moves[3].move.feed_per_min, 50);
 }
 
-TEST(CanonReader, KeepsTheUnitInWhichAFeedWasGiven) {
+TEST(CanonReader, KeepsUnitOfGivenFeed) {
     const auto moves =
         expected_moves({"USE_LENGTH_UNITS(CANON_UNITS_INCHES)", "SET_FEED_RATE(10.0)",
                         "USE_LENGTH_UNITS(CANON_UNITS_MM)", "STRAIGHT_FEED(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)"});
@@ -121,7 +121,7 @@ TEST(CanonReader, KeepsTheUnitInWhichAFeedWasGiven) {
     EXPECT_EQ(moves[0].feed_unit_mm, 25.4);
 }
 
-TEST(CanonReader, NamesALineThatLacksNumbers) {
+TEST(CanonReader, NamesLineWithMissingNumbers) {
     std::istringstream text("    1 N..... ON_RESET()\n    2 N..... STRAIGHT_FEED(1.0, 2.0)\n");
     const auto moves = read_canon(text);
     ASSERT_FALSE(moves);

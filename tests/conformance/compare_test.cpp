@@ -25,7 +25,7 @@ std::string difference(const Verdict& verdict) {
     return verdict.difference ? verdict.difference->what : "";
 }
 
-TEST(Compare, AgreesWithinThePrintedDigits) {
+TEST(Compare, AgreesWithinPrintedDigits) {
     const auto expected =
         expected_moves({"STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000, 0.0, 0.0, 0.0)", "SET_FEED_RATE(33.3333)",
                         "STRAIGHT_FEED(2.3457, 0.0, 0.0, 0.0, 0.0, 0.0)", "DWELL(0.3333)"});
@@ -47,7 +47,7 @@ TEST(Compare, AgreesWithinThePrintedDigits) {
     EXPECT_EQ(difference(compare(expected, found)), "dwell: 0.340000 s, 0.3333 s are expected");
 }
 
-TEST(Compare, SaysWhatTheFirstDifferenceIs) {
+TEST(Compare, ReportsFirstDifference) {
     const auto expected = expected_moves({"STRAIGHT_TRAVERSE(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
                                           "STRAIGHT_TRAVERSE(2.0, 0.0, 0.0, 0.0, 0.0, 0.0)"});
     const std::vector<Move> found{rapid(1, 0, 0), feed_move(2, 0, 0, 5, Kind::linear, 7)};
@@ -59,14 +59,14 @@ TEST(Compare, SaysWhatTheFirstDifferenceIs) {
     EXPECT_EQ(verdict.difference->found, "program line 7: linear X2.00000 Y0.00000 Z0.00000, feed 5");
 }
 
-TEST(Compare, FindsMovesThatOneSideLacks) {
+TEST(Compare, ReportsMissingMoves) {
     const auto expected = expected_moves({"STRAIGHT_TRAVERSE(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)"});
     EXPECT_EQ(difference(compare(expected, {})), "order: gsim has no further move");
     EXPECT_EQ(difference(compare(expected, std::vector{rapid(1, 0, 0), rapid(2, 0, 0)})),
               "order: the reference has no further move");
 }
 
-TEST(Compare, LeavesOutMovesWithoutLengthOnBothSides) {
+TEST(Compare, IgnoresMovesWithoutLength) {
     const auto expected = expected_moves({"STRAIGHT_TRAVERSE(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
                                           "STRAIGHT_TRAVERSE(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
                                           "SET_FEED_RATE(5.0)", "STRAIGHT_FEED(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
@@ -78,7 +78,7 @@ TEST(Compare, LeavesOutMovesWithoutLengthOnBothSides) {
               "");
 }
 
-TEST(Compare, DoesNotLeaveOutAFullCircle) {
+TEST(Compare, DoesNotIgnoreFullCircle) {
     const auto expected = expected_moves({"ARC_FEED(0.0, 0.0, 5.0, 0.0, 1, 0.0, 0.0, 0.0, 0.0)"});
     EXPECT_EQ(difference(compare(expected, {})), "order: gsim has no further move");
     EXPECT_EQ(difference(compare(
@@ -86,7 +86,7 @@ TEST(Compare, DoesNotLeaveOutAFullCircle) {
               "");
 }
 
-TEST(Compare, ComparesArcsInSensePlaneCentreAndTurns) {
+TEST(Compare, ComparesArcSensePlaneCentreAndTurns) {
     const auto expected = expected_moves({"SELECT_PLANE(CANON_PLANE_XZ)", "SET_FEED_RATE(10.0)",
                                           "ARC_FEED(0.0, 10.0, 0.0, 5.0, -2, 1.0, 0.0, 0.0, 0.0)"});
     const Move right = arc(Kind::arc_cw, {10, 1, 0}, {plane_normal(Plane::zx), {5, 99, 0}, 2}, 10);
@@ -112,7 +112,7 @@ TEST(Compare, ComparesArcsInSensePlaneCentreAndTurns) {
     EXPECT_EQ(judge(wrong), "turns: 1, 2 expected");
 }
 
-TEST(Compare, TakesInchFeedsInMillimetresUnlessOnlyRotaryAxesMove) {
+TEST(Compare, ConvertsInchFeedsExceptOfRotaryMoves) {
     const auto expected = expected_moves({"USE_LENGTH_UNITS(CANON_UNITS_INCHES)", "SET_FEED_RATE(10.0)",
                                           "STRAIGHT_FEED(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
                                           "STRAIGHT_FEED(1.0, 0.0, 0.0, 90.0, 0.0, 0.0)"});
@@ -123,7 +123,7 @@ TEST(Compare, TakesInchFeedsInMillimetresUnlessOnlyRotaryAxesMove) {
               "feed: 254, 10 is expected");
 }
 
-TEST(Compare, LetsASplineStandForMovesOfOneLine) {
+TEST(Compare, MatchesSplineWithMovesOfOneLine) {
     const auto expected = expected_moves({"SET_FEED_RATE(10.0)", "NURBS_FEED(4, ...)", "NURBS_FEED(4, ...)",
                                           "STRAIGHT_FEED(3.0, 0.0, 0.0, 0.0, 0.0, 0.0)"});
     const auto spline = [](double x, long line) { return feed_move(x, 0, 0, 10, Kind::spline, line); };
@@ -142,7 +142,7 @@ TEST(Compare, LetsASplineStandForMovesOfOneLine) {
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(3, 2)})), "");
 }
 
-TEST(Compare, LeavesOutMovesWithoutLengthBetweenSplines) {
+TEST(Compare, IgnoresMovesWithoutLengthBetweenSplines) {
     const auto expected =
         expected_moves({"SET_FEED_RATE(10.0)", "NURBS_FEED(4, ...)",
                         "STRAIGHT_TRAVERSE(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)", "NURBS_FEED(4, ...)"});
@@ -152,7 +152,7 @@ TEST(Compare, LeavesOutMovesWithoutLengthBetweenSplines) {
     EXPECT_EQ(difference(compare(expected, found)), "");
 }
 
-TEST(Compare, KnowsThatTheReferenceStopsBeforeAProbesTarget) {
+TEST(Compare, AllowsReferenceToStopBeforeProbeTarget) {
     const auto expected =
         expected_moves({"SET_FEED_RATE(10.0)", "STRAIGHT_PROBE(10.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
                         "STRAIGHT_TRAVERSE(9.7460, 5.0, 0.0, 0.0, 0.0, 0.0)",

@@ -7,7 +7,7 @@
 namespace gsim::conformance::corpus_test {
 namespace {
 
-TEST(Corpus, HoldsProgramsWithRecordedOutput) {
+TEST(Corpus, ContainsOnlyProgramsWithRecordedOutput) {
     const ScratchFolder folder;
     folder.write("b.ngc", "M2");
     folder.write("b.ngc.canon.gz", "");
@@ -24,14 +24,14 @@ TEST(Corpus, HoldsProgramsWithRecordedOutput) {
     EXPECT_FALSE((*found)[1].without_kinematics);
 }
 
-TEST(Corpus, NamesAFolderThatIsNotThere) {
+TEST(Corpus, NamesMissingFolder) {
     const ScratchFolder folder;
     const auto found = find_recorded(folder.path() / "none");
     ASSERT_FALSE(found);
     EXPECT_NE(found.error().message.find("none"), std::string::npos);
 }
 
-TEST(Corpus, DeletesTheWordsThatSwitchKinematics) {
+TEST(Corpus, RemovesKinematicsSwitches) {
     EXPECT_EQ(without_kinematics_switches("G1 X1 M428\nm0429 G0 X2\nM430\nM4281 M42 M428.5"),
               "G1 X1 \n G0 X2\n\nM4281 M42 M428.5");
 }

@@ -7,7 +7,7 @@
 namespace gsim::conformance::known_test {
 namespace {
 
-TEST(Known, AListOfNamesAndErrors) {
+TEST(KnownErrors, AreReadFromList) {
     const ScratchFolder folder;
     folder.write("list.txt", "# remark\n\n a.ngc\tG7 (x) is not \t # so\nb.ngc why\n");
     const auto known = read_known(folder.path() / "list.txt");
@@ -18,7 +18,7 @@ TEST(Known, AListOfNamesAndErrors) {
     EXPECT_EQ(find_known(*known, "a.ngc.txt"), nullptr);
 }
 
-TEST(Known, ALineWithoutAReasonIsNamed) {
+TEST(KnownErrors, LineWithoutReasonIsNamed) {
     const ScratchFolder folder;
     folder.write("list.txt", "a.ngc why\nb.ngc # why\n");
     const auto known = read_known(folder.path() / "list.txt");

@@ -29,7 +29,7 @@ TEST(MovesReader, ReadsMovesArcsAndDwells) {
     EXPECT_EQ((*moves)[2].line, 0);
 }
 
-TEST(MovesReader, NamesALineThatItCannotRead) {
+TEST(MovesReader, NamesUnreadableLine) {
     std::istringstream text(R"({"kind":"loop"})");
     const auto moves = read_moves(text);
     ASSERT_FALSE(moves);

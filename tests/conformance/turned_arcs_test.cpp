@@ -69,9 +69,9 @@ class RandomPart {
     std::mt19937 random_;
 };
 
-class TurnedArcs : public apps::Apps {};
+class RotatedArcs : public apps::Apps {};
 
-TEST_F(TurnedArcs, AgreeWithLinuxCnc) {
+TEST_F(RotatedArcs, AgreeWithLinuxCnc) {
     if (!apps::has_rs274()) GTEST_SKIP() << "LinuxCNC's rs274 is not installed";
     for (unsigned seed = 1; seed <= kPrograms; ++seed) {
         const std::string part = write("part.ngc", RandomPart(seed).text());

@@ -7,14 +7,14 @@
 namespace gsim::rrs::planner_capabilities_test {
 namespace {
 
-TEST(PlannerCapabilities, RowOfAKindHasItsName) {
+TEST(PlannerCapabilities, EachPlannerKindHasItsName) {
     EXPECT_EQ(capabilities_of(PlannerKind::rest_to_rest).name, "rest-to-rest");
     EXPECT_EQ(capabilities_of(PlannerKind::look_ahead).name, "look-ahead");
     EXPECT_EQ(capabilities_of(PlannerKind::linuxcnc).name, "linuxcnc");
     EXPECT_EQ(capabilities_of(PlannerKind::klipper).name, "klipper");
 }
 
-TEST(PlannerCapabilities, MessagesListThePlannersWithoutACapability) {
+TEST(PlannerCapabilities, MessageListsPlannersWithoutCapability) {
     EXPECT_EQ(planners_without(&PlannerCapabilities::plans_great_circles), "\"linuxcnc\" and \"klipper\"");
     EXPECT_EQ(planners_without(&PlannerCapabilities::has_deceleration_limits), "\"linuxcnc\"");
     EXPECT_EQ(planners_without(&PlannerCapabilities::plans_tool_paths),

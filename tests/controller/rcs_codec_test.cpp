@@ -42,13 +42,13 @@ void expect_same_behind_the_interface(const Service& service, Status (Shell::*)(
     (std::make_index_sequence<kInputs>());
 }
 
-TEST(RcsCodec, WhatServicesTakeComesThroughTheInterface) {
+TEST(RcsCodec, ServiceInputsPassInterfaceUnchanged) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
     expect_same_behind_the_interface<gsim_rcs_##input>(services::method, &Shell::method);
 #include "controller/module/rcs_services.def"
 }
 
-TEST(RcsCodec, WhatDoesNotFitIsTold) {
+TEST(RcsCodec, ReportsTooLongNamesAndLists) {
     gsim_rcs_target target{};
     const std::string fits(GSIM_RCS_NAME_SIZE - 1, 'n'), too_long(GSIM_RCS_NAME_SIZE, 'n');
     const auto put_named = [&](const std::string& configuration, const std::string& name) {
@@ -63,7 +63,7 @@ TEST(RcsCodec, WhatDoesNotFitIsTold) {
     EXPECT_EQ(write(many, std::span<const int>(), std::span<const double>(values))->subject, "");
 }
 
-TEST(RcsCodec, CountsOutOfRangeAreNotFollowed) {
+TEST(RcsCodec, RejectsCountsOutOfRange) {
     gsim_rcs_joint_values values{};
     EXPECT_TRUE(get_values<2>(values));
     for (const int count : {-1, GSIM_RCS_MAX_JOINTS + 1}) {
@@ -72,7 +72,7 @@ TEST(RcsCodec, CountsOutOfRangeAreNotFollowed) {
     }
 }
 
-TEST(Services, HaveNumbersOfTheirOwn) {
+TEST(Services, HaveUniqueNumbers) {
     std::set<int> opcodes, of_rrs;
     std::size_t services = 0, in_rrs = 0;
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \

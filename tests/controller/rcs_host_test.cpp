@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class Loading : public testing::TestWithParam<HostProcess> {
+class ModuleLoading : public testing::TestWithParam<HostProcess> {
   protected:
     static std::string load_error(const std::string& name, RcsProcessLimits limits = {}) {
         const auto module = module_at(GetParam(), name, limits);
@@ -21,9 +21,9 @@ class Loading : public testing::TestWithParam<HostProcess> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Places, Loading, both_places(), place_name);
+INSTANTIATE_TEST_SUITE_P(Places, ModuleLoading, both_places(), place_name);
 
-TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
+TEST(RcsHost, LoadsModuleWithIndependentControllers) {
     auto library = RcsLibrary::load(module_path("small_module"), slides());
     ASSERT_TRUE(library.has_value()) << library.error().message;
     EXPECT_EQ((*library)->name(), "small_module.so");
@@ -40,7 +40,7 @@ TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
     EXPECT_EQ(one->call(9999, nullptr, nullptr), GSIM_RCS_NOT_SUPPORTED);
 }
 
-TEST_P(Loading, SaysWhyALibraryIsNoModule) {
+TEST_P(ModuleLoading, ReportsReasonIfLibraryIsNotModule) {
     EXPECT_THAT(load_error("there_is_none"), HasSubstr("cannot load the controller module there_is_none.so"));
     EXPECT_EQ(load_error("no_module"), "no_module.so is not a controller module: it has no gsim_rcs_version");
     EXPECT_EQ(load_error("other_version"),
@@ -48,13 +48,13 @@ TEST_P(Loading, SaysWhyALibraryIsNoModule) {
               "version 2");
 }
 
-TEST_P(Loading, SaysWhyAModuleMakesNoController) {
+TEST_P(ModuleLoading, ReportsReasonIfModuleCreatesNoController) {
     EXPECT_EQ(load_error("no_machine"),
               "no_machine.so created no controller for this machine: It drives lathes alone.");
     EXPECT_EQ(load_error("no_initialize"), "no_initialize.so does not support the service Initialize");
 }
 
-TEST_P(Loading, CrashWhileLoadingIsASentence) {
+TEST_P(ModuleLoading, ReportsCrashWhileLoading) {
     EXPECT_EQ(load_error("crash_on_load"),
               "the controller module crash_on_load.so crashed (signal 11) while it was loaded");
     EXPECT_EQ(load_error("crash_in_create"),
@@ -67,7 +67,7 @@ TEST_P(Loading, CrashWhileLoadingIsASentence) {
     }
 }
 
-TEST_P(Loading, NoAnswerWhileLoadingIsASentence) {
+TEST_P(ModuleLoading, ReportsTimeoutWhileLoading) {
     for (const char* const name : {"hangs_on_load", "hangs_in_create"}) {
         EXPECT_EQ(load_error(name, {.response_timeout_ms = 200}),
                   fmt::format("the controller module {}.so did not respond within 0.2 s while it was loaded",
@@ -75,7 +75,7 @@ TEST_P(Loading, NoAnswerWhileLoadingIsASentence) {
     }
 }
 
-TEST(RcsHost, WhatIsNoLibraryIsASentence) {
+TEST(RcsHost, RejectsInvalidLibraryFile) {
     const std::string folder = testing::TempDir();
     const std::string text = folder + "/rcs_host_test_text.so";
     const std::string empty = folder + "/rcs_host_test_empty.so";

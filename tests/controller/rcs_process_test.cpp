@@ -89,9 +89,9 @@ class OwnPaths : public testing::Environment {
 };
 const testing::Environment* const own_paths = testing::AddGlobalTestEnvironment(new OwnPaths);
 
-class Misdeeds : public testing::TestWithParam<Misdeed> {};
+class FailingModules : public testing::TestWithParam<Misdeed> {};
 
-TEST_P(Misdeeds, IsAFaultThatNamesTheService) {
+TEST_P(FailingModules, ReportErrorWithServiceName) {
 #ifdef GSIM_SANITIZED
     if (GetParam().module == std::string("hogs_memory")) GTEST_SKIP() << "memory has no limit there";
 #endif
@@ -116,7 +116,7 @@ TEST_P(Misdeeds, IsAFaultThatNamesTheService) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Modules, Misdeeds,
+    Modules, FailingModules,
     testing::Values(Misdeed{"crashes", "crashed in GetNextStep (signal 11)"},
                     Misdeed{"aborts", "crashed in GetNextStep (signal 6)"},
                     Misdeed{"exits", "ended its process in GetNextStep (status 3)"},
@@ -168,7 +168,7 @@ void make_ready(RcsModule& module) {
     module.call(GSIM_RCS_SET_CARTESIAN_POSITION_SPEED, &speed, nullptr);
 }
 
-TEST(RcsProcess, StepsThatWereMadeBeforeACrashAreHad) {
+TEST(RcsProcess, KeepsStepsMadeBeforeCrash) {
     RcsModule module = begin("crashes");
     make_ready(module);
     queue(module, 10);
@@ -177,7 +177,7 @@ TEST(RcsProcess, StepsThatWereMadeBeforeACrashAreHad) {
     EXPECT_EQ(found.loss, "crashed in GetNextStep (signal 11)");
 }
 
-TEST(RcsProcess, SoAreTargetsAndTheCrashIsThatOfTheServiceThatTellsThem) {
+TEST(RcsProcess, KeepsStepsAndTargetsBeforeCrashOfTargetService) {
     RcsModule module = begin("crashes_where_targets_are_told");
     make_ready(module);
     queue(module, 10);
@@ -188,7 +188,7 @@ TEST(RcsProcess, SoAreTargetsAndTheCrashIsThatOfTheServiceThatTellsThem) {
 }
 
 /// The module steps a full queue itself, and the target is enqueued there once more.
-TEST(RcsProcess, ATargetThatFoundTheQueueFullIsPutBehindTheStepsThatMakeRoom) {
+TEST(RcsProcess, RetriesTargetAfterStepsMakeRoomInQueue) {
     for (const char* const name : {"small_module", "crashes_in_second_try"}) {
         RcsModule module = begin(name);
         make_ready(module);
@@ -205,7 +205,7 @@ TEST(RcsProcess, ATargetThatFoundTheQueueFullIsPutBehindTheStepsThatMakeRoom) {
 }
 
 /// Shared memory is not trusted: for any content read there, the caller survives.
-TEST(RcsProcess, AModuleThatOverwritesWhatIsSharedHurtsItselfAlone) {
+TEST(RcsProcess, SurvivesOverwrittenSharedMemory) {
     for (const RcsPrefetch prefetch :
          {RcsPrefetch::unknown, RcsPrefetch::to_target, RcsPrefetch::to_end, RcsPrefetch::if_full}) {
         RcsModule module = begin("fills_shared_memory");
@@ -217,7 +217,7 @@ TEST(RcsProcess, AModuleThatOverwritesWhatIsSharedHurtsItselfAlone) {
     }
 }
 
-TEST(RcsProcess, WhatHappensInDestroyIsNoMatterOfTheRun) {
+TEST(RcsProcess, IgnoresErrorsInDestroy) {
     for (const std::string name : {"crashes_in_destroy", "exits_in_destroy", "hangs_in_destroy"}) {
         {
             RcsModule module = begin(name);
@@ -229,7 +229,7 @@ TEST(RcsProcess, WhatHappensInDestroyIsNoMatterOfTheRun) {
     }
 }
 
-TEST(RcsProcess, OneThatIsKilledFromOutsideIsAFault) {
+TEST(RcsProcess, ReportsKilledProcess) {
     RcsModule module = begin("small_module");
     make_ready(module);
     const std::vector<pid_t> processes = bound_processes("small_module");
@@ -241,7 +241,7 @@ TEST(RcsProcess, OneThatIsKilledFromOutsideIsAFault) {
     EXPECT_EQ(module.loss().value_or(""), "was terminated between two services (signal 9)");
 }
 
-TEST(RcsProcess, TwoAtOnceKnowNothingOfEachOther) {
+TEST(RcsProcess, TwoModulesRunIndependently) {
     RcsModule one = begin("crashes"), other = begin("small_module");
     for (RcsModule* const module : {&one, &other}) {
         make_ready(*module);
@@ -254,7 +254,7 @@ TEST(RcsProcess, TwoAtOnceKnowNothingOfEachOther) {
 }
 
 /// A killed program notifies no module; its module may be in a service that does not return.
-TEST(RcsProcess, EndsWithItsCallerHoweverThatEnds) {
+TEST(RcsProcess, EndsAfterCallerIsKilled) {
     own_path("small_module");  // the folder's name is this process's
     for (const std::string name : {"hangs", "blocks_signals", "small_module"}) {
         const pid_t caller = ::fork();
@@ -273,7 +273,7 @@ TEST(RcsProcess, EndsWithItsCallerHoweverThatEnds) {
     }
 }
 
-TEST(RcsProcess, AProgramThatIsNotThereOrNoHostIsASentence) {
+TEST(RcsProcess, ReportsMissingOrInvalidHostProgram) {
     const auto none = start_rcs_process("/there/is/none", module_path("small_module"), slides());
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().message, "cannot run /there/is/none: No such file or directory");

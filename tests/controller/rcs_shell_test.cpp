@@ -46,7 +46,7 @@ class Modules : public testing::TestWithParam<HostProcess> {
 
 INSTANTIATE_TEST_SUITE_P(Places, Modules, both_places(), place_name);
 
-TEST_P(Modules, ModuleMovesAsItIsAskedTo) {
+TEST_P(Modules, MoveAsRequested) {
     RcsShell shell = ready("small_module");
     shell.SetCartesianPositionSpeed(100);
     shell.SetInitialPosition(CartPos::Identity(), at(1, 2, 3), "");
@@ -65,7 +65,7 @@ TEST_P(Modules, ModuleMovesAsItIsAskedTo) {
     EXPECT_FALSE(shell.error());
 }
 
-TEST_P(Modules, MissingServiceIsNamedAndIsNoFault) {
+TEST_P(Modules, ReportMissingServiceWithoutModuleError) {
     RcsShell shell = ready("small_module");
     EXPECT_EQ(shell.StopMotion(), Status::RRS_SERVICE_NOT_SUPPORTED);
     EXPECT_EQ(message(shell), "small_module.so does not support the service StopMotion.");
@@ -76,7 +76,7 @@ TEST_P(Modules, MissingServiceIsNamedAndIsNoFault) {
 }
 
 /// A module that was compiled before a service got its opcode does not know it.
-TEST_P(Modules, OpcodesOfLaterHeadersAreMissingServices) {
+TEST_P(Modules, ReportNewerOpcodesAsMissingServices) {
     RcsShell shell = ready("small_module");
     const double value = 1;
     EXPECT_EQ(shell.SetRampMode(RampMode::s_curve), Status::RRS_SERVICE_NOT_SUPPORTED);
@@ -86,7 +86,7 @@ TEST_P(Modules, OpcodesOfLaterHeadersAreMissingServices) {
     EXPECT_FALSE(shell.error());
 }
 
-TEST_P(Modules, WhatDoesNotFitTheInterfaceDoesNotReachTheModule) {
+TEST_P(Modules, RejectTooLongInputBeforeModule) {
     RcsShell shell = ready("small_module");
     EXPECT_EQ(shell.ModifyCellFrame(std::string(GSIM_RCS_NAME_SIZE, 'n'), CartPos::Identity()),
               Status::RRS_INVALID_PARAMETER);
@@ -100,9 +100,9 @@ struct BadAnswer {
     const char* expected_text;  // after the name of the module
 };
 
-class RcsShellFaults : public testing::TestWithParam<std::tuple<BadAnswer, HostProcess>> {};
+class RcsShellErrors : public testing::TestWithParam<std::tuple<BadAnswer, HostProcess>> {};
 
-TEST_P(RcsShellFaults, BadAnswerToAStepIsAFaultForGood) {
+TEST_P(RcsShellErrors, InvalidStepResponseIsPermanentError) {
     const auto& [bad, place] = GetParam();
     RcsShell shell = ready(place, bad.module);
     shell.SetCartesianPositionSpeed(100);
@@ -117,7 +117,7 @@ TEST_P(RcsShellFaults, BadAnswerToAStepIsAFaultForGood) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Modules, RcsShellFaults,
+    Modules, RcsShellErrors,
     testing::Combine(
         testing::Values(
             BadAnswer{"nan_answer", "responded to GetNextStep with the value nan for joint 2"},
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
                            place_name({std::get<1>(param.param), 0}));
     });
 
-TEST_P(Modules, StatusOfAnotherServiceIsAFault) {
+TEST_P(Modules, ReportStatusOfOtherServiceAsError) {
     RcsShell shell = ready("wrong_status");
     EXPECT_EQ(shell.SelectTargetType(TargetType::joint), Status::RRS_MODULE_FAULT);
     EXPECT_EQ(message(shell),

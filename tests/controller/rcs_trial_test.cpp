@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPlenty_ms = 10'000;
 
-TEST(RcsTrial, SaysWhatTheWorkSaysButLeavesNothingOfItBehind) {
+TEST(RcsTrial, ReturnsResultWithoutSideEffects) {
     int changed = 0;
     const std::string text = fmt::format("one line\nand another {:x>20000}", "");
     const auto said = run_trial(
@@ -28,7 +28,7 @@ TEST(RcsTrial, SaysWhatTheWorkSaysButLeavesNothingOfItBehind) {
     EXPECT_EQ(run_trial([] { return std::string(); }, kPlenty_ms).value(), "");
 }
 
-TEST(RcsTrial, CrashEndsTheChildAlone) {
+TEST(RcsTrial, CrashEndsChildOnly) {
     const auto crash = [](int signal) {
         return run_trial(
             [signal]() -> std::string {
@@ -41,7 +41,7 @@ TEST(RcsTrial, CrashEndsTheChildAlone) {
     EXPECT_EQ(crash(SIGABRT).error().message, "crashed (signal 6)");
 }
 
-TEST(RcsTrial, WorkThatEndsTheProgramOrThrowsHasNotBeenDone) {
+TEST(RcsTrial, ReportsExitOrException) {
     EXPECT_EQ(run_trial([]() -> std::string { std::_Exit(0); }, kPlenty_ms).error().message,
               "ended the program");
     EXPECT_EQ(run_trial([]() -> std::string { std::exit(0); }, kPlenty_ms).error().message,
@@ -49,7 +49,7 @@ TEST(RcsTrial, WorkThatEndsTheProgramOrThrowsHasNotBeenDone) {
     EXPECT_EQ(run_trial([]() -> std::string { throw 1; }, kPlenty_ms).error().message, "ended the program");
 }
 
-TEST(RcsTrial, WorkWithoutEndIsEnded) {
+TEST(RcsTrial, StopsEndlessWorkAfterTimeout) {
     const auto said = run_trial(
         []() -> std::string {
             for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));

@@ -38,7 +38,7 @@ Status call_with_any(Shell& shell, Status (Shell::*method)(Parameters...)) {
     return call(shell, method, inputs, outputs);
 }
 
-TEST(Shell, EveryServiceWithoutAnImplementationSaysSoByItsName) {
+TEST(Shell, ReportsUnimplementedServiceByName) {
     BareShell shell;
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments)      \
     EXPECT_EQ(call_with_any(shell, &Shell::method), Status::RRS_SERVICE_NOT_SUPPORTED) << #method; \

@@ -45,7 +45,7 @@ void keep(void* user, const Row* rows, std::size_t count) {
                                                  rows + count);
 }
 
-TEST_F(CInterface, TellsMovesAndSamplesAndAReport) {
+TEST_F(CInterface, DeliversMovesSamplesAndReport) {
     ASSERT_EQ(open(), GSIM_OK) << gsim_run_error(run_);
     std::vector<gsim_move> moves;
     std::vector<gsim_sample> samples;
@@ -68,7 +68,7 @@ TEST_F(CInterface, TellsMovesAndSamplesAndAReport) {
     EXPECT_EQ(gsim_run_go(run_), GSIM_FAILED) << "a run can be started only once";
 }
 
-TEST_F(CInterface, SegmentsTellTheirMotionInTheCall) {
+TEST_F(CInterface, SegmentGivesAxesAndSpeedInCallback) {
     ASSERT_EQ(open(), GSIM_OK);
     double farthest_mm = 0;
     ASSERT_EQ(gsim_run_on_segments(
@@ -88,7 +88,7 @@ TEST_F(CInterface, SegmentsTellTheirMotionInTheCall) {
     EXPECT_NEAR(farthest_mm, 250, 1e-6) << "in the middle of the half circle";
 }
 
-TEST_F(CInterface, AProgramWithErrorsIsRefusedWithItsReport) {
+TEST_F(CInterface, RejectsInvalidProgramWithReport) {
     set_program("G1 X\nG0 Y\n");
     EXPECT_EQ(open(), GSIM_REJECTED);
     EXPECT_EQ(diagnostics_.size(), 2U);
@@ -96,7 +96,7 @@ TEST_F(CInterface, AProgramWithErrorsIsRefusedWithItsReport) {
     EXPECT_EQ(gsim_run_go(run_), GSIM_FAILED);
 }
 
-TEST_F(CInterface, FilesComeFromACallback) {
+TEST_F(CInterface, ReadsFilesByCallback) {
     set_program("M98 P7\nM2\n");
     ASSERT_EQ(gsim_request_set_files(
                   request_,
@@ -112,7 +112,7 @@ TEST_F(CInterface, FilesComeFromACallback) {
     EXPECT_EQ(gsim_run_outcome(run_), GSIM_COMPLETED) << gsim_run_report_text(run_);
 }
 
-TEST_F(CInterface, UnknownKeysAndValuesAreRefused) {
+TEST_F(CInterface, RejectsUnknownKeysAndValues) {
     EXPECT_EQ(gsim_request_set_text(request_, "machin", "x"), GSIM_FAILED);
     EXPECT_EQ(gsim_request_set_number(request_, "passes", 0), GSIM_FAILED);
     EXPECT_EQ(gsim_request_set_number(request_, "cpu_s", std::nan("")), GSIM_FAILED);
@@ -126,7 +126,7 @@ TEST_F(CInterface, UnknownKeysAndValuesAreRefused) {
     EXPECT_EQ(gsim_run_variables(run_), nullptr);
 }
 
-TEST_F(CInterface, ItIsCancelledFromACallback) {
+TEST_F(CInterface, CanBeCancelledFromCallback) {
     std::string program = "F6000\n";
     for (int i = 0; i < 5000; ++i) program += i % 2 == 0 ? "G1 X10\n" : "G1 X0\n";
     set_program(program);
@@ -156,7 +156,7 @@ TEST_F(CInterface, TranslatesToLua) {
     EXPECT_EQ(gsim_api_version(), GSIM_API_VERSION);
 }
 
-TEST_F(CInterface, DocumentsAreWritten) {
+TEST_F(CInterface, WritesOutputs) {
     ASSERT_EQ(open(), GSIM_OK);
     std::string csv;
     const auto take = [](void* user, const char* text, std::size_t size) {

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Cancel, EndsARunFromAnotherThread) {
+TEST(Cancel, EndsRunFromAnotherThread) {
     Request request =
         make_request("part.lua", {{"part.lua", "require 'gsim'\nwhile true do G4{p=0.001} end\n"}});
     request.limits.machine_s = 1e12;
@@ -31,7 +31,7 @@ TEST(Cancel, EndsARunFromAnotherThread) {
     EXPECT_EQ(report.alarm->location.line, 2U);
 }
 
-TEST(Cancel, EndsALoopThatMovesNothing) {
+TEST(Cancel, EndsLoopWithoutMotion) {
     Request request =
         make_request("part.lua", {{"part.lua", "require 'gsim'\nG0{x=5}\nwhile true do end\n"}});
     request.limits.steps = 1'000'000'000'000;
@@ -45,7 +45,7 @@ TEST(Cancel, EndsALoopThatMovesNothing) {
     other.join();
 }
 
-TEST(Cancel, EndsATranslation) {
+TEST(Cancel, EndsTranslation) {
     Request request = make_request("part.nc", {{"part.nc", std::string(1 << 20, '\n') + "G0 X1\nM2\n"}});
     request.cancel.now();
     engine::Run run = engine::Run::open(request).value();
@@ -54,7 +54,7 @@ TEST(Cancel, EndsATranslation) {
     EXPECT_THAT(run.make_report(rejected.error()).alarm->message, HasSubstr("cancelled"));
 }
 
-TEST(Cancel, EndsARunFromItsOwnMoves) {
+TEST(Cancel, EndsRunFromMovesCallback) {
     std::string program = "F6000\n";
     for (int i = 0; i < 5000; ++i) program += i % 2 == 0 ? "G1 X10\n" : "G1 X0\n";
     Request request = make_request("part.nc", {{"part.nc", program}});

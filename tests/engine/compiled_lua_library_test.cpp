@@ -38,7 +38,7 @@ std::string outcome(const Part& part, const std::optional<CompiledLuaLibrary>& l
     return reported + run->go().value().json();
 }
 
-TEST(CompiledLuaLibrary, ChangesNoReportAndNoError) {
+TEST(CompiledLuaLibrary, KeepsReportsAndErrorsUnchanged) {
     const CompiledLuaLibrary library;
     for (int turn = 0; turn < 3; ++turn) {
         for (const Part& part : kParts) {
@@ -50,7 +50,7 @@ TEST(CompiledLuaLibrary, ChangesNoReportAndNoError) {
     EXPECT_THAT(outcome(kParts[4], library), HasSubstr("e.lua"));
 }
 
-TEST(CompiledLuaLibrary, IsForAnyNumberOfThreads) {
+TEST(CompiledLuaLibrary, SupportsSeveralThreads) {
     const CompiledLuaLibrary library;
     std::vector<std::string> found(8);
     {

@@ -32,7 +32,7 @@ tl::expected<ControllerSettings, Error> read(const std::string& text, const std:
     return ControllerSettings::read(text, name, given(std::move(files)), options);
 }
 
-TEST(ControllerSettings, WhatGrblAnswersIsAMachineFile) {
+TEST(ControllerSettings, GrblSettingsBecomeMachineFile) {
     const auto settings = read(kGrbl, "grbl.txt");
     ASSERT_TRUE(settings) << settings.error().message;
     EXPECT_THAT(settings->machine_file(), HasSubstr("# Made from grbl.txt."));
@@ -42,14 +42,14 @@ TEST(ControllerSettings, WhatGrblAnswersIsAMachineFile) {
     EXPECT_TRUE(Machine::read(request));
 }
 
-TEST(ControllerSettings, TablesThatSettingsNameComeFromTheGivenFiles) {
+TEST(ControllerSettings, ReadsNamedTablesFromGivenFiles) {
     const auto settings = read(ini(), "mill/mill.ini", {{"mill/tables/mill.tbl", "T1 P1 Z10 D5\n"}});
     ASSERT_TRUE(settings) << settings.error().message;
     EXPECT_TRUE(settings->has_machine_data());
     EXPECT_THAT(settings->machine_data().value(), HasSubstr("TOOL\n1  10  5"));
 }
 
-TEST(ControllerSettings, ATableIsMachineDataInTheUnitOfIts) {
+TEST(ControllerSettings, ConvertsTableToMachineDataByItsUnit) {
     const auto settings = read("T1 P1 Z1\n", "mill.tbl", {}, {.unit = LengthUnit::inch});
     ASSERT_TRUE(settings) << settings.error().message;
     EXPECT_EQ(settings->machine_file(), "");
@@ -58,7 +58,7 @@ TEST(ControllerSettings, ATableIsMachineDataInTheUnitOfIts) {
     EXPECT_FALSE(ControllerSettings::is_table("mill.ini"));
 }
 
-TEST(ControllerSettings, WhatIsNotTakenOverIsToldByName) {
+TEST(ControllerSettings, ReportsSettingsNotImported) {
     const auto settings = read(ini() + "[HAL]\nHALFILE = a.hal\n", "mill.ini", {{"tables/mill.tbl", ""}});
     ASSERT_TRUE(settings) << settings.error().message;
     const std::vector<Diagnostic>& reported = settings->left_out();
@@ -71,7 +71,7 @@ TEST(ControllerSettings, WhatIsNotTakenOverIsToldByName) {
     EXPECT_THAT(hal->text, testing::StartsWith("not imported: "));
 }
 
-TEST(ControllerSettings, OtherTextsAreRefused) {
+TEST(ControllerSettings, RejectsOtherText) {
     const auto settings = read("hello\n", "a.txt");
     ASSERT_FALSE(settings);
     EXPECT_EQ(settings.error().message,

@@ -72,7 +72,7 @@ std::string path_text(const DrawingPath& path) {
     return text;
 }
 
-TEST(DrawingPath, ADrawingFromMemoryBecomesAPathWithItsFigures) {
+TEST(DrawingPath, DrawingInMemoryBecomesPathWithMetrics) {
     const auto path = result(request_of_drawing("part.svg", {{"part.svg", kPart}}));
     ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->metrics().outlines, 2U);
@@ -85,7 +85,7 @@ TEST(DrawingPath, ADrawingFromMemoryBecomesAPathWithItsFigures) {
     EXPECT_EQ(text::parse_json<json>(path_text(*path))["name"], "part");
 }
 
-TEST(DrawingPath, ItsPathGoesOnToAProgram) {
+TEST(DrawingPath, PathCanBePlannedAsProgram) {
     DrawingRequest drawing = request_of_drawing("part.svg", {{"part.svg", kPart}});
     drawing.cutting_path.origin_mm = {500, 500, 100};
     const std::string path = path_text(result(drawing).value());
@@ -99,14 +99,14 @@ TEST(DrawingPath, ItsPathGoesOnToAProgram) {
     EXPECT_TRUE(planned) << planned.error().message;
 }
 
-TEST(DrawingPath, ASinkThatWantsNoMoreGetsNoMore) {
+TEST(DrawingPath, StopsWritingIfSinkReturnsFalse) {
     const auto path = result(request_of_drawing("part.svg", {{"part.svg", kPart}})).value();
     int chunk_count = 0;
     path.write([&](std::string_view) { return ++chunk_count < 1; });
     EXPECT_EQ(chunk_count, 1);
 }
 
-TEST(DrawingPath, AUnitCountsInPlaceOfTheDrawings) {
+TEST(DrawingPath, UnitOptionReplacesUnitOfDrawing) {
     const std::string dxf =
         "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n";
     DrawingRequest request = request_of_drawing("hole.dxf", {{"hole.dxf", dxf}});
@@ -117,7 +117,7 @@ TEST(DrawingPath, AUnitCountsInPlaceOfTheDrawings) {
     EXPECT_GT(result(request).value().metrics().cut_mm, 10 * in_mm);
 }
 
-TEST(DrawingPath, AMaterialGivesFiguresAndPrice) {
+TEST(DrawingPath, MaterialGivesParametersAndPrice) {
     const auto path = result(request_of_material({{"part.svg", kPart}}));
     ASSERT_TRUE(path) << path.error().message;
     const auto job = path->job();
@@ -129,7 +129,7 @@ TEST(DrawingPath, AMaterialGivesFiguresAndPrice) {
     EXPECT_THAT(path->job_report(), StartsWith("Cutting aluminum, 12 mm\n"));
 }
 
-TEST(DrawingPath, MaterialsComeFromTheSameFiles) {
+TEST(DrawingPath, ReadsMaterialsFromGivenFiles) {
     DrawingRequest request =
         request_of_material({{"part.svg", kPart}, {"mine.toml", "[jet]\nnonsense = 1\n"}});
     request.cutting.materials = "mine.toml";
@@ -139,7 +139,7 @@ TEST(DrawingPath, MaterialsComeFromTheSameFiles) {
     EXPECT_EQ(path.error().file, "mine.toml");
 }
 
-TEST(DrawingPath, WhatDoesNotGoTogetherIsRefused) {
+TEST(DrawingPath, RejectsConflictingOptions) {
     DrawingRequest request = request_of_drawing("part.svg", {{"part.svg", kPart}});
     request.cutting.kerf_mm.reset();
     EXPECT_EQ(rejection(request), "usage: give --material and --thickness, or --speed and --kerf");
@@ -152,14 +152,14 @@ TEST(DrawingPath, WhatDoesNotGoTogetherIsRefused) {
               "input-file: --unit and --layer apply to drawings; a STEP or IGES file defines its unit");
 }
 
-TEST(DrawingPath, ADrawingThatIsNotThereOrNoneIsToldByName) {
+TEST(DrawingPath, NamesMissingOrUnknownDrawing) {
     EXPECT_EQ(rejection(request_of_drawing("none.svg", {})),
               "input-file: cannot read 'none.svg': file not found");
     EXPECT_EQ(rejection(request_of_drawing("part.txt", {{"part.txt", ""}})),
               "input-file: 'part.txt' is neither a .dxf nor an .svg file");
 }
 
-TEST(DrawingPath, AMistakeOfTheDrawingIsInTheProgram) {
+TEST(DrawingPath, MarksErrorOfDrawingAsInProgram) {
     const auto path =
         result(request_of_drawing("part.svg", {{"part.svg", svg("<path id='p' d='M0 0L10 10L10 0'/>")}}));
     ASSERT_FALSE(path);
@@ -170,12 +170,12 @@ TEST(DrawingPath, AMistakeOfTheDrawingIsInTheProgram) {
     EXPECT_THAT(path.error().message, HasSubstr("not closed"));
 }
 
-TEST(DrawingPath, WithoutAReaderOfSolidsTheyAreRefusedByName) {
+TEST(DrawingPath, RejectsSolidsWithoutReader) {
     EXPECT_EQ(rejection(request_of_drawing("part.step", {})),
               "input-file: part.step: STEP and IGES files are not supported here, only DXF and SVG files");
 }
 
-TEST(DrawingPath, AFlatPartComesFromTheHostWithItsThickness) {
+TEST(DrawingPath, TakesPlateAndThicknessFromHost) {
     DrawingRequest request = request_of_drawing("part.step", {});
     request.host.read_plate = square_plate;
     request.cutting = {.material = "aluminum"};
@@ -186,7 +186,7 @@ TEST(DrawingPath, AFlatPartComesFromTheHostWithItsThickness) {
     EXPECT_EQ(path->metrics().outlines, 1U);
 }
 
-TEST(DrawingPath, AnotherThicknessThanTheFlatPartsIsTold) {
+TEST(DrawingPath, ReportsDifferentPlateThickness) {
     DrawingRequest request = request_of_drawing("part.step", {});
     request.host.read_plate = square_plate;
     request.cutting = {.material = "aluminum", .thickness_mm = 10};
@@ -197,7 +197,7 @@ TEST(DrawingPath, AnotherThicknessThanTheFlatPartsIsTold) {
     EXPECT_EQ(reported.front(), "part.step: the solid is 8 mm thick, but --thickness is 10 mm");
 }
 
-TEST(DrawingPath, TheHostIsToldHowThePartIsLookedAt) {
+TEST(DrawingPath, PassesReadOptionsToHost) {
     PlateReadOptions requested;
     DrawingRequest request = request_of_drawing("part.iges", {});
     request.host.read_plate = [&](const std::string& file, const PlateReadOptions& options) {
@@ -248,7 +248,7 @@ DrawingRequest request_of_contours() {
     return request;
 }
 
-TEST(DrawingPath, ContoursOfAPartThatIsNotFlatComeFromTheHost) {
+TEST(DrawingPath, TakesContoursFromHost) {
     std::vector<std::string> reported;
     const auto path =
         result(request_of_contours(), [&](const Diagnostic& note) { reported.push_back(note.text); });
@@ -258,7 +258,7 @@ TEST(DrawingPath, ContoursOfAPartThatIsNotFlatComeFromTheHost) {
     EXPECT_EQ(reported, std::vector<std::string>{"half is left"});
 }
 
-TEST(DrawingPath, AChainOfEdgesStaysOpenAndKeepsOffTheOthersOfThePart) {
+TEST(DrawingPath, OpenEdgeChainMustNotCutOtherEdges) {
     DrawingRequest request = request_of_contours();
     ContourSelection requested;
     request.surface->contours.kind = "edges";
@@ -292,7 +292,7 @@ TEST(DrawingPath, AChainOfEdgesStaysOpenAndKeepsOffTheOthersOfThePart) {
     EXPECT_NEAR(path->metrics().cut_mm, 20 + 2 * 3, 0.01);  // and three kerfs beyond each end
 }
 
-TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
+TEST(DrawingPath, RejectsOptionsNotForContours) {
     DrawingRequest drawing = request_of_contours();
     drawing.drawing = "part.svg";
     EXPECT_THAT(rejection(drawing), HasSubstr("--contours applies to STEP and IGES files"));

@@ -184,7 +184,7 @@ void for_each_key(const Visitor& visit) {
     });
 }
 
-TEST(FileKeys, AreThoseThatTheReadersTake) {
+TEST(FileKeys, MatchKeysOfReaders) {
     std::size_t tables = 0;
     for_each_table([&](ConfigFileKind file, const json& table) {
         ++tables;
@@ -211,7 +211,7 @@ TEST(FileKeys, AreThoseThatTheReadersTake) {
     EXPECT_GT(tables, 30U);
 }
 
-TEST(FileKeys, AreOfTheKindsThatTheReadersTake) {
+TEST(FileKeys, HaveKindsOfReaders) {
     for_each_key([](ConfigFileKind file, const json& table, const json& key) {
         // It belongs to a file of robots, and is checked where that is read.
         if (file == ConfigFileKind::cell && (key["name"] == "robot" || key["name"] == "conveyor")) return;
@@ -223,7 +223,7 @@ TEST(FileKeys, AreOfTheKindsThatTheReadersTake) {
     });
 }
 
-TEST(FileKeys, HaveTheRangesThatTheReadersKeep) {
+TEST(FileKeys, HaveRangesOfReaders) {
     for_each_key([](ConfigFileKind file, const json& table, const json& key) {
         if (key["kind"] != "number") return;
         KeyOfDocument number(file, table, key);
@@ -247,7 +247,7 @@ TEST(FileKeys, HaveTheRangesThatTheReadersKeep) {
     });
 }
 
-TEST(FileKeys, HaveTheChoicesThatTheReadersName) {
+TEST(FileKeys, HaveChoicesOfReaders) {
     for_each_key([](ConfigFileKind file, const json& table, const json& key) {
         if (!key.contains("choices")) return;
         KeyOfDocument word(file, table, key);
@@ -269,7 +269,7 @@ TEST(FileKeys, HaveTheChoicesThatTheReadersName) {
     });
 }
 
-TEST(FileKeys, AreRequiredWhereTheReadersLackThem) {
+TEST(FileKeys, AreRequiredIfReadersRequireThem) {
     for_each_key([](ConfigFileKind file, const json& table, const json& key) {
         KeyOfDocument gone(file, table, key);
         gone.remove();
@@ -292,7 +292,7 @@ std::vector<double> cell_values(const cell::Cell& cell) {
     return values;
 }
 
-TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
+TEST(FileKeys, HaveDefaultsOfReaders) {
     std::size_t defaults = 0;
     for_each_key([&](ConfigFileKind file, const json& table, const json& key) {
         if (!key.contains("default") || file == ConfigFileKind::controller) return;
@@ -317,7 +317,7 @@ TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
     EXPECT_GT(defaults, 80U);
 }
 
-TEST(FileKeys, StandInThePagesOfTheirFiles) {
+TEST(FileKeys, AreDescribedInDocs) {
     const auto page = [](const std::string& name) {
         std::ifstream file(tests::source_path("docs/") + name);
         return std::string(std::istreambuf_iterator<char>(file), {});
@@ -332,7 +332,7 @@ TEST(FileKeys, StandInThePagesOfTheirFiles) {
     });
 }
 
-TEST(FileKeys, TellTheUnitsOfTheirNames) {
+TEST(FileKeys, HaveUnitsMatchingTheirNames) {
     const json tables = text::parse_json<json>(file_keys_json(ConfigFileKind::machine));
     std::set<std::string> units;
     for (const json& table : tables) {

@@ -9,7 +9,7 @@
 namespace gsim::engine::files_test {
 namespace {
 
-TEST(Text, OfAStreamIsReadOnceAndRun) {
+TEST(Text, RunsProgramFromStream) {
     std::FILE* file = std::tmpfile();
     std::fputs("G0 X10\nM2\n", file);
     std::rewind(file);
@@ -25,7 +25,7 @@ TEST(Text, OfAStreamIsReadOnceAndRun) {
     EXPECT_EQ(report.counts.moves, 1U);
 }
 
-TEST(Text, ThatLooksLikeLuaIsAScript) {
+TEST(Text, RunsLuaTextAsScript) {
     Request request;
     request.text = Text("require 'gsim'\nG0{x=7}\n", "editor");
     engine::Run run = engine::Run::open(request).value();

@@ -28,12 +28,12 @@ Report report_of_run(const std::string& program, std::map<std::string, std::stri
     return prepared ? run.go().value() : run.make_report(prepared.error());
 }
 
-TEST(FindingsOfTheEngine, AreALineForPeople) {
+TEST(EngineFindings, AreWrittenAsTextLine) {
     EXPECT_EQ(diagnostic_text(kWord), "my part.nc:3:4: warning: no such word; leave it out\n");
     EXPECT_EQ(diagnostic_text({.code = "usage", .text = "not so"}), "error: not so\n");
 }
 
-TEST(FindingsOfTheEngine, AFailureHasThePlaceThatItsSentenceBeginsWith) {
+TEST(EngineFindings, ErrorTakesSourceLocationFromMessage) {
     const Diagnostic placed = to_diagnostic(Error{.code = "input-file", .message = "m.toml:2:1: not so"});
     EXPECT_EQ(placed.file, "m.toml");
     EXPECT_EQ(placed.line, 2U);
@@ -46,7 +46,7 @@ TEST(FindingsOfTheEngine, AFailureHasThePlaceThatItsSentenceBeginsWith) {
     EXPECT_EQ(named.code, "path");
 }
 
-TEST(FindingsOfTheEngine, AreJson) {
+TEST(EngineFindings, AreWrittenAsJson) {
     const std::vector<CheckedProgram> programs = {{"p.nc", "completed", 1.5}};
     const json document = text::parse_json<json>(findings_json({&kWord, 1}, programs));
     EXPECT_EQ(document["programs"][0],
@@ -56,7 +56,7 @@ TEST(FindingsOfTheEngine, AreJson) {
     EXPECT_FALSE(text::parse_json<json>(findings_json({&kWord, 1})).contains("programs"));
 }
 
-TEST(FindingsOfTheEngine, AreSarif) {
+TEST(EngineFindings, AreWrittenAsSarif) {
     const json run = text::parse_json<json>(findings_sarif({&kWord, 1}))["runs"][0];
     EXPECT_EQ(run["tool"]["driver"]["rules"].size(), 1U);
     EXPECT_EQ(run["tool"]["driver"]["rules"][0]["id"], "syntax");
@@ -67,7 +67,7 @@ TEST(FindingsOfTheEngine, AreSarif) {
     EXPECT_EQ(location["region"], (json{{"startLine", 3}, {"startColumn", 4}, {"endColumn", 6}}));
 }
 
-TEST(FindingsOfTheEngine, FaultsOfAReportAreLines) {
+TEST(EngineFindings, ReportErrorsAreWrittenAsLines) {
     const Report far = report_of_run("G0 X9000\nM2\n");
     ASSERT_EQ(far.violations.size(), 1U);
     EXPECT_EQ(far.errors_text(), "p.nc:1: " + far.violations[0].message + "\n");
@@ -79,13 +79,13 @@ TEST(FindingsOfTheEngine, FaultsOfAReportAreLines) {
     EXPECT_FALSE(stopped.is_file_missing());
 }
 
-TEST(FindingsOfTheEngine, NothingWrongIsNoLine) {
+TEST(EngineFindings, CleanReportHasNoErrorText) {
     const Report report = report_of_run("G0 X10\nM2\n");
     EXPECT_EQ(report.errors_text(), "");
     EXPECT_TRUE(report.passes_check());
 }
 
-TEST(FindingsOfTheEngine, WhatTheProcessShouldNotDoCountsInACheck) {
+TEST(EngineFindings, ProcessFindingsFailCheck) {
     const Report report = report_of_run("M8\nG0 X10\nM9\nM2\n");
     ASSERT_GT(report.process_findings, 0U);
     EXPECT_TRUE(report.is_clean());

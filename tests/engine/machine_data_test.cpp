@@ -39,7 +39,7 @@ std::string rejection(const tl::expected<Value, Error>& done) {
 
 const std::vector<std::string> kX = {"X=1"};
 
-TEST(MachineDataValues, TextComesBackByteForByte) {
+TEST(MachineDataValues, KeepTextByteForByte) {
     EXPECT_EQ(read_machine_data().text(), kData);
     EXPECT_EQ(MachineData("new.txt").text(), "NCFILE\nENDFILE\n");
 }
@@ -54,7 +54,7 @@ TEST(MachineDataValues, AreListedInColumnsAndAsJson) {
     EXPECT_EQ(data.list(Format::json, "HOME"), "[]\n");
 }
 
-TEST(MachineDataValues, SectionsAreThoseOfTheTableAndThePage) {
+TEST(MachineDataValues, SectionsMatchRulesAndDocs) {
     const std::vector<MachineData::Section> sections = read_machine_data().sections();
     ASSERT_EQ(sections.size(), machine::kDataSections.size());
     const machine::DataRules rules;
@@ -74,7 +74,7 @@ TEST(MachineDataValues, SectionsAreThoseOfTheTableAndThePage) {
     }
 }
 
-TEST(MachineDataValues, FieldsSayWhatTheyTake) {
+TEST(MachineDataValues, FieldsDescribeTheirValues) {
     const std::vector<MachineData::Section> sections = read_machine_data().sections();
     const auto field = [&](std::size_t section, const std::string& name) {
         for (const MachineData::Field& each : sections[section].fields) {
@@ -93,7 +93,7 @@ TEST(MachineDataValues, FieldsSayWhatTheyTake) {
     EXPECT_EQ(field(0, "AXIS4").quantity, MachineData::Quantity::unknown);
 }
 
-TEST(MachineDataValues, OfANameWithoutAFileAreNone) {
+TEST(MachineDataValues, MissingFileGivesEmptyData) {
     Host host;
     host.files = given({{"d.txt", kData}});
     EXPECT_EQ(MachineData::open(host, "d.txt")->text(), kData);
@@ -101,7 +101,7 @@ TEST(MachineDataValues, OfANameWithoutAFileAreNone) {
     EXPECT_EQ(rejection(MachineData::open(Host(), "/")), "cannot read '/': Is a directory");
 }
 
-TEST(MachineDataValues, AnEntryOrAValueIsGot) {
+TEST(MachineDataValues, ReturnsEntryOrValue) {
     const MachineData data = read_machine_data();
     EXPECT_EQ(data.get(Format::text, "OFFSET", "54"), "X 200.000\nY 1\nZ 2\nUNIT metric\n");
     EXPECT_EQ(data.get(Format::text, "alias", "JETON", "code"), "M08\n");
@@ -109,7 +109,7 @@ TEST(MachineDataValues, AnEntryOrAValueIsGot) {
     EXPECT_EQ(data.get(Format::json, "TOOL", "1", "LENGTH_WEAR"), "null\n");
 }
 
-TEST(MachineDataValues, AChangeIsOneOfWordsInALine) {
+TEST(MachineDataValues, ChangeReplacesOnlyWordsOfLine) {
     MachineData data = read_machine_data();
     const std::vector<std::string> y = {"y=-7.5"};
     ASSERT_TRUE(data.set("OFFSET", "54", y));
@@ -122,7 +122,7 @@ TEST(MachineDataValues, AChangeIsOneOfWordsInALine) {
     EXPECT_EQ(data.text(), changed("1 2 3 inch", "50.8 50.8 76.2 metric"));
 }
 
-TEST(MachineDataValues, AllEntriesAreResetAndConverted) {
+TEST(MachineDataValues, ResetsAndConvertsAllEntries) {
     MachineData data = read_machine_data();
     ASSERT_TRUE(data.reset_all("tool"));
     EXPECT_EQ(data.text(), changed("50 10", "0 0"));
@@ -133,7 +133,7 @@ TEST(MachineDataValues, AllEntriesAreResetAndConverted) {
     EXPECT_EQ(data.get(Format::text, "OFFSET", "55", "X"), "25.4\n");
 }
 
-TEST(MachineDataValues, WhatIsRefusedHasChangedNothing) {
+TEST(MachineDataValues, RejectedChangeKeepsData) {
     MachineData data = read_machine_data();
     const std::vector<std::string> far = {"X=1e12"}, no_value = {"X"};
     EXPECT_EQ(rejection(data.set("OFFSET", "54", far)), "d.txt: 1e12 must be between -1e9 and 1e9");
@@ -152,7 +152,7 @@ TEST(MachineDataValues, WhatIsRefusedHasChangedNothing) {
     EXPECT_EQ(data.text(), kData);
 }
 
-TEST(MachineDataValues, AllThatIsWrongWithLinesIsTold) {
+TEST(MachineDataValues, ReportsAllInvalidLines) {
     std::vector<std::uint32_t> lines;
     const auto data = MachineData::read("NCFILE\nOFFSET\n53 1 2 3\n55 1 2 3x\nENDFILE\n", "d.txt", nullptr,
                                         [&](const Diagnostic& reported) { lines.push_back(reported.line); });
@@ -163,7 +163,7 @@ TEST(MachineDataValues, AllThatIsWrongWithLinesIsTold) {
               "d.txt:3:1: '53' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
 }
 
-TEST(MachineDataValues, JsonGoesBothWays) {
+TEST(MachineDataValues, JsonRoundTripKeepsData) {
     const MachineData data = read_machine_data();
     const std::string written = data.to_json().value();
     EXPECT_EQ(data.list(Format::json), written);
@@ -175,7 +175,7 @@ TEST(MachineDataValues, JsonGoesBothWays) {
               "d.json: this must be a JSON object with a list for each section");
 }
 
-TEST(MachineDataValues, NamesOfPointsGoWithThem) {
+TEST(MachineDataValues, PointsKeepTheirNames) {
     const std::string points =
         "NCFILE\nFIXED\n1 0 0 25.4 NAME=CLAMP1\n2 1 2 3\nREFERENCE\n1 4 5 6  NAME=Pallet\nENDFILE\n";
     MachineData data = read_machine_data(points);
@@ -197,7 +197,7 @@ TEST(MachineDataValues, NamesOfPointsGoWithThem) {
     EXPECT_EQ(data.get(Format::json, "FIXED", "1", "NAME"), "null\n");
 }
 
-TEST(MachineDataValues, NamesInJsonAreThoseOfOnePointEach) {
+TEST(MachineDataValues, RejectsDuplicateOrInvalidNamesInJson) {
     const auto error = [](const std::string& entries) {
         return rejection(MachineData::from_json("{\"FIXED\":[" + entries + "]}", "d.json"));
     };
@@ -208,13 +208,13 @@ TEST(MachineDataValues, NamesInJsonAreThoseOfOnePointEach) {
     EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":1})"), "d.json: FIXED 1: NAME is not a string");
 }
 
-TEST(MachineDataValues, WordsThatAreNotUtf8AreNoJson) {
+TEST(MachineDataValues, RejectsNonUtf8WordsInJson) {
     const MachineData data = read_machine_data("NCFILE\nALIAS\nJet\xff M08\nENDFILE\n");
     EXPECT_EQ(rejection(data.to_json()), "d.txt: JSON must be UTF-8, but a word in this file is not");
     EXPECT_EQ(text::parse_json<json>(data.list(Format::json).value())["ALIAS"][0]["id"], "Jet\uFFFD");
 }
 
-TEST(MachineDataValues, AMachineNamesAxesAndHasRanges) {
+TEST(MachineDataValues, MachineGivesAxisNamesAndRanges) {
     const Machine machine = Machine::read({}).value();
     const std::string text = "NCFILE\nOFFSET\n54 0 0 9e6\nALIAS\nTurn G777\nENDFILE\n";
     MachineData data = MachineData::read(text, "d.txt", &machine).value();

@@ -11,14 +11,14 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Machine, ItsFileReadsBackAsItself) {
+TEST(Machine, FileReadsBackUnchanged) {
     const Machine built_in = Machine::read({}).value();
     Request request = make_request("", {{"own.toml", built_in.file()}});
     request.machine = "own.toml";
     EXPECT_EQ(Machine::read(request).value().file(), built_in.file());
 }
 
-TEST(Machine, IsSharedByRuns) {
+TEST(Machine, RunsWithSharedMachineAgree) {
     Machine machine = Machine::read({}).value();
     ASSERT_TRUE(machine.read_bodies());
     std::string first;
@@ -31,14 +31,14 @@ TEST(Machine, IsSharedByRuns) {
     }
 }
 
-TEST(Machine, IsCheckedWithoutAProgram) {
+TEST(Machine, CanBeCheckedWithoutProgram) {
     const Machine machine = Machine::read({}).value();
     const MachineCheck found = machine.check().value();
     EXPECT_TRUE(found.is_clean) << found.text;
     EXPECT_THAT(machine.axes_svg().value(), HasSubstr("<svg"));
 }
 
-TEST(Machine, ThatIsNoMachineIsRefusedWithItsPlace) {
+TEST(Machine, RejectsInvalidFileWithSourceLocation) {
     Request request = make_request("", {{"own.toml", "[machine]\nname = 5\n"}});
     request.machine = "own.toml";
     EXPECT_THAT(Machine::read(request).error().message, HasSubstr("own.toml:2"));

@@ -47,7 +47,7 @@ tl::expected<std::string, Error> program_of(PathRequest request) {
         });
 }
 
-TEST(PathTranslation, ItsProgramGoesTheWayOfThePath) {
+TEST(PathTranslation, ProgramHasLengthOfPath) {
     const auto program = program_of(request_of_path("p.lua", {{"p.lua", kScript}}));
     ASSERT_TRUE(program) << program.error().message;
     engine::Run run = engine::Run::open(make_request("p.nc", {{"p.nc", *program}})).value();
@@ -88,7 +88,7 @@ std::array<double, 4> extents_of(const std::string& program, const std::string& 
 }
 
 // The numbers of a path are counted from its work offset; those of the frame that it moves with are not.
-TEST(PathTranslation, APathIsPlacedWhereverItsNumbersAreCountedFrom) {
+TEST(PathTranslation, FrameChangeMovesPathWithAnyWorkOffset) {
     constexpr const char* kPoints =
         "point{motion='rapid', position_mm={0, 0, -5}}, point{position_mm={0, 0, -10}, feed_mm_min=600},"
         " point{position_mm={80, 0, -10}}, point{motion='rapid', position_mm={80, 0, -5}}}\n";
@@ -124,7 +124,7 @@ TEST(PathTranslation, APathIsPlacedWhereverItsNumbersAreCountedFrom) {
     }
 }
 
-TEST(PathTranslation, DecimalsAreThoseThatAreAskedFor) {
+TEST(PathTranslation, WritesRequestedDecimals) {
     PathRequest request =
         request_of_path("p.lua", {{"p.lua",
                                    "return path{name='p', point{motion='rapid', position_mm={1.23456, 2, 3}, "
@@ -137,14 +137,14 @@ TEST(PathTranslation, DecimalsAreThoseThatAreAskedFor) {
     EXPECT_THAT(program_of(request).value(), HasSubstr("X1.2346"));
 }
 
-TEST(PathTranslation, AMistakeOfThePathIsInTheProgramAndHasItsPlace) {
+TEST(PathTranslation, MarksErrorOfPathAsInProgramWithLine) {
     const auto result = program_of(request_of_path("p.lua", {{"p.lua", "return path{point{nonsense=1}}\n"}}));
     ASSERT_FALSE(result);
     EXPECT_TRUE(result.error().in_program);
     EXPECT_THAT(result.error().message, HasSubstr("p.lua:1"));
 }
 
-TEST(PathTranslation, APathThatCannotBeReadIsNoMistakeOfIts) {
+TEST(PathTranslation, UnreadablePathIsNoErrorInProgram) {
     const auto missing = program_of(request_of_path("none.path.json", {}));
     ASSERT_FALSE(missing);
     EXPECT_FALSE(missing.error().in_program);
@@ -160,7 +160,7 @@ TEST(PathTranslation, APathThatCannotBeReadIsNoMistakeOfIts) {
     EXPECT_EQ(result.error().message, "the pipe broke");
 }
 
-TEST(PathTranslation, FixedPointsLieWhereTheMachineDataHaveThem) {
+TEST(PathTranslation, TakesFixedPointsFromMachineData) {
     PathRequest request =
         request_of_path("p.lua", {{"p.lua", "return path{name='p', point{fixed='park'}}\n"},
                                   {"d.txt", "NCFILE\nFIXED\n3 10 20 30 NAME=PARK\nENDFILE\n"},
@@ -181,7 +181,7 @@ TEST(PathTranslation, FixedPointsLieWhereTheMachineDataHaveThem) {
     EXPECT_THAT(program_of(request).value(), HasSubstr("G53 G00 X10.000 Y20.000\n"));
 }
 
-TEST(PathTranslation, PostsHaveNamesAndOthersAreRefused) {
+TEST(PathTranslation, RejectsUnknownPost) {
     EXPECT_THAT(post_names(), Contains("ab9"));
     PathRequest request = request_of_path("p.lua", {{"p.lua", kScript}});
     request.post = "nobody";

@@ -111,7 +111,7 @@ double turn_between(const std::array<double, 3>& a_deg, const std::array<double,
     return max;
 }
 
-TEST(Poses, TheInverseLeadsBackOnAllSampleMachines) {
+TEST(Poses, InverseReproducesPoseOnAllSampleMachines) {
     std::size_t with_inverse = 0;
     std::mt19937 random(20);
     for (const std::string& name : sample_names()) {
@@ -148,7 +148,7 @@ TEST(Poses, TheInverseLeadsBackOnAllSampleMachines) {
     EXPECT_GT(with_inverse, 200U);
 }
 
-TEST(Poses, TheTipIsBelowTheToolByItsLength) {
+TEST(Poses, TcpIsOffsetByToolLength) {
     const Machine machine = sample("mill-head-table.toml");
     PoseRequest pose_request;
     pose_request.joints = Values{10, 20, 30, 40, 50};
@@ -160,7 +160,7 @@ TEST(Poses, TheTipIsBelowTheToolByItsLength) {
         EXPECT_NEAR(with.tcp_mm[i], without.tcp_mm[i] - 100 * with.tool_axis[i], 2e-9);
 }
 
-TEST(Poses, AToolAxisLeavesTheTurnAboutItToWhatIsNear) {
+TEST(Poses, ToolAxisKeepsRotationOfNearConfiguration) {
     const Machine arm = sample("arm6.toml");
     PoseRequest pose_request;
     pose_request.joints = Values{10, 60, -100, 30, 60, 20};
@@ -180,7 +180,7 @@ TEST(Poses, AToolAxisLeavesTheTurnAboutItToWhatIsNear) {
     EXPECT_GT(leaning->tool_axis[1], start.tool_axis[1] + 0.01);
 }
 
-TEST(Poses, WithoutAnOrientationTheToolStandsAsNear) {
+TEST(Poses, KeepsNearToolAxisWithoutOrientation) {
     const Machine machine = Machine::read({}).value();
     PoseRequest pose_request{.tcp_mm = {{500, 400, 100}}};
     pose_request.near = Values{500, 500, 100, 0, 30};
@@ -190,14 +190,14 @@ TEST(Poses, WithoutAnOrientationTheToolStandsAsNear) {
     EXPECT_LT(distance(pose.tcp_mm, *pose_request.tcp_mm), 1e-9);
 }
 
-TEST(Poses, WhatIsBeyondARangeIsTold) {
+TEST(Poses, ReportsAxesOutOfRange) {
     const Machine machine = sample("router3.toml");
     const Pose pose = solve_pose(machine, {.joints = Values{-1, 100, 0.5}}).value();
     EXPECT_THAT(pose.out_of_range, ElementsAre(-1, 0, 1));
     EXPECT_THAT(solve_pose(machine, {.tcp_mm = {{601, 400, -120}}})->out_of_range, ElementsAre(1, 0, 0));
 }
 
-TEST(Poses, BodiesThatTouchAreNamedOnceTheyAreRead) {
+TEST(Poses, ReportsCollisionsAfterBodiesAreRead) {
     Request request;
     request.cell = tests::source_path("samples/cell/table.toml");
     Machine machine = Machine::read(request).value();
@@ -214,7 +214,7 @@ std::string error(const Machine& machine, const PoseRequest& pose_request) {
     return pose ? "none" : pose.error().code + ": " + pose.error().message;
 }
 
-TEST(Poses, WhatCannotBeIsToldInASentence) {
+TEST(Poses, RejectsInvalidOrUnreachablePose) {
     const Machine machine = sample("router3.toml");
     constexpr std::array<double, 3> kPoint{1, 2, 3};
     EXPECT_EQ(error(machine, {}), "usage: a pose must have either 'joints' or 'tip_mm'");

@@ -19,7 +19,7 @@ static_assert(std::is_same_v<TakeSegments, SegmentsHandler>);
 static_assert(std::is_same_v<DocumentOptions, OutputOptions>);
 static_assert(std::is_same_v<CuttingWays, CuttingPathOptions>);
 
-TEST(RenamedNames, AnErrorIsStillAFailure) {
+TEST(RenamedNames, FailureIsAliasOfError) {
     const Failure failure{.code = "input-file", .message = "there is no file"};
     const Error& error = failure;
     EXPECT_EQ(error.message, "there is no file");
@@ -33,7 +33,7 @@ void add_process_on_mm(void* total_mm, const gsim_move* moves, size_t count) {
         if (moves[i].jet_on != 0) *static_cast<double*>(total_mm) += moves[i].length_mm;
 }
 
-TEST(RenamedNames, AProgramInCOfVersion01RunsAsBefore) {
+TEST(RenamedNames, CNamesOfVersion01StillWork) {
     gsim_request* request = gsim_request_create();
     const std::string program = "G0 X10\nM8\nG1 X60 F6000\nM9\nG1 X70\nM2\n";
     gsim_request_set_program(request, program.data(), program.size(), "part.nc");

@@ -38,7 +38,7 @@ Report run_report(Request request) {
 
 constexpr const char* kSquare = "G0 X100 Y100\nF6000\nG1 X200\nG1 Y200\nG2 X100 Y100 I-50 J-50\nG4 P1\nM2\n";
 
-TEST(Run, IsTheProgramsWithoutAnyFileOfTheSystem) {
+TEST(Run, NeedsNoSystemFiles) {
     const Report report = run_report(make_request("part.nc", {{"part.nc", kSquare}}));
     EXPECT_EQ(report.status, RunStatus::completed);
     EXPECT_TRUE(report.is_clean());
@@ -51,7 +51,7 @@ TEST(Run, IsTheProgramsWithoutAnyFileOfTheSystem) {
     EXPECT_THAT(report.text(), HasSubstr("completed"));
 }
 
-TEST(Run, ProgramsModulesAndMachinesComeFromTheSameFunction) {
+TEST(Run, ReadsProgramsAndMachineByCallback) {
     Request request = make_request("jobs/part.nc", {{"jobs/part.nc", "G0 X10\nM98 P7\nM2\n"},
                                                     {"jobs/O0007.nc", "O7\nG1 X40 F600\nM99\n"},
                                                     {"machines/own.toml", sample("machines/router3.toml")}});
@@ -62,7 +62,7 @@ TEST(Run, ProgramsModulesAndMachinesComeFromTheSameFunction) {
     EXPECT_NE(report.machine, run_report(make_request("a.nc", {{"a.nc", "M2\n"}})).machine);
 }
 
-TEST(Run, WhatIsNotGivenIsNamed) {
+TEST(Run, NamesMissingFiles) {
     Request request = make_request("part.nc", {{"part.nc", "M98 P7\nM2\n"}});
     EXPECT_THAT(run_report(request).alarm.value().message, HasSubstr("7"));
     request.machine = "own.toml";
@@ -72,14 +72,14 @@ TEST(Run, WhatIsNotGivenIsNamed) {
     EXPECT_THAT(missing.error().message, HasSubstr("other.nc"));
 }
 
-TEST(Run, NothingOutsideOfTheFolderOfTheProgramIsCalled) {
+TEST(Run, RejectsModuleOutsideProgramFolder) {
     const Report report = run_report(make_request(
         "jobs/part.lua", {{"jobs/part.lua", "require 'gsim'\nrequire '../secret'\n"}, {"secret.lua", ""}}));
     EXPECT_EQ(report.status, RunStatus::alarm);
     EXPECT_THAT(report.alarm->message, HasSubstr("require \"../secret\": the name of a module may have"));
 }
 
-TEST(Run, WhatAHostDoesNotBringIsRefusedByName) {
+TEST(Run, RejectsModuleUnsupportedByHost) {
     Request request = make_request("a.nc", {{"a.nc", "M2\n"}});
     request.module = "planner.so";
     const auto run = engine::Run::open(request);
@@ -89,7 +89,7 @@ TEST(Run, WhatAHostDoesNotBringIsRefusedByName) {
     EXPECT_EQ(engine::Run::open(request).error().code, "usage");
 }
 
-TEST(Run, ErrorsOfAProgramAreToldAndInItsReport) {
+TEST(Run, ProgramErrorsReachHandlerAndReport) {
     std::vector<Diagnostic> reported;
     auto run = engine::Run::open(make_request("part.nc", {{"part.nc", "G1 X1 F\nG0 X\nM2\n"}}),
                                  [&](const Diagnostic& found) { reported.push_back(found); });
@@ -105,7 +105,7 @@ TEST(Run, ErrorsOfAProgramAreToldAndInItsReport) {
     EXPECT_EQ(text::parse_json<json>(report.json())["diagnostics"].size(), 2U);
 }
 
-TEST(Run, MovesComeInChunksInTheOrderOfTime) {
+TEST(Run, DeliversMovesInChunksInTimeOrder) {
     std::ostringstream program;
     program << "F6000\n";
     for (int i = 1; i <= 3000; ++i) program << "G1 X" << i % 7 << " Y" << i % 11 << "\n";
@@ -130,7 +130,7 @@ TEST(Run, MovesComeInChunksInTheOrderOfTime) {
 }
 
 // The path of the segments, by the speed that they report, is the length in the report.
-TEST(Run, SegmentsJoinAndTellTheirMotionExactly) {
+TEST(Run, SegmentsJoinAndMatchReportedDistance) {
     engine::Run run = prepared(make_request("part.nc", {{"part.nc", kSquare}}));
     double distance_mm = 0;
     double end_s = 0;
@@ -155,7 +155,7 @@ TEST(Run, SegmentsJoinAndTellTheirMotionExactly) {
     EXPECT_DOUBLE_EQ(end_s, report.cycle_time_s);
 }
 
-TEST(Run, SamplesAreThoseOfTheTrajectory) {
+TEST(Run, SamplesMatchTrajectoryOutput) {
     engine::Run run = prepared(make_request("part.nc", {{"part.nc", kSquare}}));
     std::vector<Sample> samples;
     ASSERT_TRUE(run.on_samples(
@@ -190,7 +190,7 @@ TEST(Run, SamplesAreThoseOfTheTrajectory) {
     EXPECT_EQ(run.on_samples({}, 0).error().code, "usage");
 }
 
-TEST(Run, ADocumentThatCannotBeWrittenGetsNoMore) {
+TEST(Run, StopsWritingOutputAfterSinkFails) {
     engine::Run run = prepared(make_request("part.nc", {{"part.nc", kSquare}}));
     int chunk_count = 0;
     ASSERT_TRUE(run.write(OutputKind::moves, [&](std::string_view) {
@@ -201,7 +201,7 @@ TEST(Run, ADocumentThatCannotBeWrittenGetsNoMore) {
     EXPECT_EQ(chunk_count, 1);
 }
 
-TEST(Run, WhatAControlKeepsComesBackAsItsFiles) {
+TEST(Run, ReturnsVariablesAndMachineData) {
     Request request = make_request("part.ngc", {{"part.ngc", "#100 = 1\n#31 = 2.5\nG10 L2 P1 X12.5\nM2\n"},
                                                 {"kept.var", "31\t1\n5220\t1\n"}});
     request.language.dialect = "rs274ngc";
@@ -212,7 +212,7 @@ TEST(Run, WhatAControlKeepsComesBackAsItsFiles) {
     EXPECT_THAT(run.machine_data().value(), HasSubstr("12.5"));
 }
 
-TEST(Run, LimitsEndItAndSayWhich) {
+TEST(Run, StopsAtStepMemoryAndCpuLimits) {
     Request endless = make_request("part.lua", {{"part.lua", "require 'gsim'\nwhile true do end\n"}});
     endless.limits.steps = 100'000;
     const Report steps = run_report(endless);
@@ -227,7 +227,7 @@ TEST(Run, LimitsEndItAndSayWhich) {
     EXPECT_EQ(run_report(endless).status, RunStatus::stopped);
 }
 
-TEST(Run, TwoAtOnceDoNotKnowOfEachOther) {
+TEST(Run, InterleavedRunsAreIndependent) {
     const auto files = std::map<std::string, std::string>{{"a.nc", "G0 X10\nG1 X60 F600\nM2\n"}};
     engine::Run one = prepared(make_request("a.nc", files));
     engine::Run other = prepared(make_request("a.nc", files));
@@ -238,7 +238,7 @@ TEST(Run, TwoAtOnceDoNotKnowOfEachOther) {
 }
 
 // Other programs are built with these numbers.
-TEST(OutputSet, HaveWordsAndNumbersThatStay) {
+TEST(OutputSet, KeepsNamesAndNumbers) {
     const std::vector<std::string> names = output_names();
     EXPECT_EQ(names, (std::vector<std::string>{"moves", "trajectory", "dxf", "path", "plot"}));
     for (std::size_t number = 0; number < names.size(); ++number)
@@ -265,7 +265,7 @@ on = "Z"
 mass_kg = 10
 )";
 
-TEST(Run, HandsOutWhatTheMotorsBringUp) {
+TEST(Run, DeliversMotorEffortsAndPower) {
     Request request = make_request("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", kLift}});
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));
@@ -295,7 +295,7 @@ max_speed_mm_s = 100
 position_gain_1_s = 50
 )";
 
-TEST(Run, HandsOutWhereAxesAndTipReallyAre) {
+TEST(Run, DeliversFollowingErrorsAndActualTcp) {
     Request request = make_request("over.nc", {{"over.nc", "G0 X100\nM2\n"}, {"slow.toml", kSlow}});
     request.machine = "slow.toml";
     engine::Run run = prepared(std::move(request));
@@ -317,7 +317,7 @@ TEST(Run, HandsOutWhereAxesAndTipReallyAre) {
 
 // While the acceleration grows, with it the force and with its square the speed, power is a curve of third
 // order: straight lines between few instants would be a hundredth off.
-TEST(Run, StraightLinesBetweenInstantsOfForcesAreNearTheirCurves) {
+TEST(Run, InterpolatedPowerIsNearExactCurve) {
     constexpr double kJerk_m_s3 = 2;
     std::string machine = std::string(kLift) + "[controller]\nmodel = \"ab9\"\nlimit_jerk = true\n";
     machine.insert(machine.find("max_acceleration_mm_s2"), "max_jerk_mm_s3 = 2000\n");
@@ -346,7 +346,7 @@ TEST(Run, StraightLinesBetweenInstantsOfForcesAreNearTheirCurves) {
 }
 
 // A single instant of a dwell would not show how long it lasts.
-TEST(Run, TheMotorsHoldAWeightThroughARest) {
+TEST(Run, MotorsHoldWeightDuringDwell) {
     Request request = make_request("up.nc", {{"up.nc", "G0 Z100\nG4 P3\nG0 Z0\nM2\n"}, {"lift.toml", kLift}});
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));
@@ -364,7 +364,7 @@ TEST(Run, TheMotorsHoldAWeightThroughARest) {
     EXPECT_NEAR(held_s[1], 4.1, 1e-9);
 }
 
-TEST(Run, NoServoLoopsNoFollowingErrors) {
+TEST(Run, RejectsFollowingErrorsWithoutServoLoop) {
     Request request = make_request("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", kLift}});
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));

@@ -23,7 +23,7 @@ std::string lua_of(TranslationRequest request) {
     return lua;
 }
 
-TEST(Translation, LineNOfTheProgramIsLineN1OfTheLua) {
+TEST(Translation, ProgramLineNIsLuaLineNPlus1) {
     TranslationRequest request;
     request.text = Text("G0 X1\nG1 Y2 F100\nM2\n", "part.nc");
     const std::string lua = lua_of(request);
@@ -34,7 +34,7 @@ TEST(Translation, LineNOfTheProgramIsLineN1OfTheLua) {
     EXPECT_EQ(line, 3U);
 }
 
-TEST(Translation, WhatIsWrongIsToldAndRefused) {
+TEST(Translation, ReportsErrorAndRejectsProgram) {
     TranslationRequest request;
     request.text = Text("G0 X1\nG1 Y F100\nM2\n", "part.nc");
     auto translation = Translation::open(std::move(request)).value();
@@ -47,7 +47,7 @@ TEST(Translation, WhatIsWrongIsToldAndRefused) {
     EXPECT_EQ(result.error().first_error->text, reported.front().text);
 }
 
-TEST(Translation, ItsScriptRunsAsTheProgramDoes) {
+TEST(Translation, ScriptHasCycleTimeOfProgram) {
     const std::string program = "G0 X10 Y5\nG1 X60 F600\nG3 X60 Y25 I0 J10\nM2\n";
     TranslationRequest request;
     request.text = Text(program, "part.nc");

@@ -10,7 +10,7 @@
 namespace gsim::faults::allocations_test {
 namespace {
 
-class Allocations : public testing::Test {
+class AllocationErrors : public testing::Test {
   protected:
     void SetUp() override {
         if (kInstrumented)
@@ -28,15 +28,15 @@ class Allocations : public testing::Test {
     }
 };
 
-TEST_F(Allocations, EachFailsOnce) {
+TEST_F(AllocationErrors, EachSingleFailureIsHandled) {
     reject(false);
 }
 
-TEST_F(Allocations, AllFailFromOneOn) {
+TEST_F(AllocationErrors, FailureOfAllLaterAllocationsIsHandled) {
     reject(true);
 }
 
-TEST_F(Allocations, TheSentenceNamesTheProgramAndTheReason) {
+TEST_F(AllocationErrors, MessageNamesProgramAndReason) {
     const Outcome found =
         run(job_named("gcode2lua"), {.kind = Kind::allocation, .which = 100, .error = ENOMEM});
     EXPECT_EQ(found.status, 2);

@@ -46,29 +46,29 @@ void expect_told(const std::vector<InjectedFault>& faults) {
     }
 }
 
-class Calls : public testing::Test {
+class SystemCallErrors : public testing::Test {
   protected:
     void SetUp() override {
         if (kInstrumented) GTEST_SKIP() << "what is built into the program makes system calls of its own";
     }
 };
 
-TEST_F(Calls, EachWriteFails) {
+TEST_F(SystemCallErrors, FailureOfEachWriteIsHandled) {
     expect_told({{Kind::write, ENOSPC, "a write"},
                  {Kind::write, EIO, "a write"},
                  {Kind::write, EPIPE, "a write"},
                  {Kind::write, EINTR, "a write"}});
 }
 
-TEST_F(Calls, EachReadFails) {
+TEST_F(SystemCallErrors, FailureOfEachReadIsHandled) {
     expect_told({{Kind::read, EIO, "a read"}, {Kind::read, EINTR, "a read"}});
 }
 
-TEST_F(Calls, EachFileIsRefused) {
+TEST_F(SystemCallErrors, FailureOfEachOpenAndStatIsHandled) {
     expect_told({{Kind::open, EMFILE, "opening"}, {Kind::look, EACCES, "looking at a file"}});
 }
 
-TEST_F(Calls, WhatMakesAFileWholeFails) {
+TEST_F(SystemCallErrors, FailureOfEachFileCompletionIsHandled) {
     expect_told({{Kind::close, EIO, "closing"},
                  {Kind::fsync, EIO, "fsync"},
                  {Kind::rename, EIO, "renaming"},
@@ -77,7 +77,7 @@ TEST_F(Calls, WhatMakesAFileWholeFails) {
 }
 
 // Half of the transfer is done, and the remainder in another call: no data is lost, and no error is reported.
-TEST_F(Calls, WritingAndReadingInPartLosesNothing) {
+TEST_F(SystemCallErrors, PartialWritesAndReadsLoseNoData) {
     for (const Kind kind : {Kind::write, Kind::read}) {
         for (const Job& job : jobs()) {
             const Count count = sweep(job, {.kind = kind, .error = kShort});
@@ -90,7 +90,7 @@ TEST_F(Calls, WritingAndReadingInPartLosesNothing) {
     }
 }
 
-TEST_F(Calls, AFullDiskIsNamed) {
+TEST_F(SystemCallErrors, ReportsFullDisk) {
     const Job job = job_named("gcode2lua");
     const Outcome found = run(job, {.kind = Kind::write, .which = 1, .error = ENOSPC});
     EXPECT_EQ(found.err, "gcode2lua: cannot write 'wheel.lua': No space left on device\n");
@@ -99,7 +99,7 @@ TEST_F(Calls, AFullDiskIsNamed) {
 
 const Job kTranslation{"translation", {"gcode2lua", "long.nc"}, {{"long.nc", long_program()}}};
 
-TEST_F(Calls, AFullDiskOfTheTemporaryFileIsNamed) {
+TEST_F(SystemCallErrors, ReportsFullDiskOfTemporaryFile) {
     const Outcome found = run(kTranslation, {.kind = Kind::write, .which = 1, .error = ENOSPC});
     EXPECT_EQ(found.status, 2);
     EXPECT_EQ(found.err,
@@ -107,14 +107,14 @@ TEST_F(Calls, AFullDiskOfTheTemporaryFileIsNamed) {
 }
 
 // The program is read more than once; an error in any reading is not taken for the end of the program.
-TEST_F(Calls, AProgramThatCannotBeReadIsNotTakenForAShorterOne) {
+TEST_F(SystemCallErrors, RejectsPartlyReadProgram) {
     const Outcome found = run(kTranslation, {.kind = Kind::read, .which = 5, .error = EIO});
     EXPECT_EQ(found.status, 2);
     EXPECT_EQ(found.out, "");
     EXPECT_EQ(found.err, "gcode2lua: long.nc: cannot be read to its end: Input/output error\n");
 }
 
-TEST_F(Calls, AScriptThatCannotBeReadDoesNotRunAsAnEmptyOne) {
+TEST_F(SystemCallErrors, RejectsUnreadableScript) {
     const Job job{"script", {"gsim-run", "script.lua"}, {{"script.lua", "print(1)\n"}}};
     const Outcome found = run(job, {.kind = Kind::read, .which = 1, .error = EIO});
     EXPECT_EQ(found.status, 2);
@@ -122,7 +122,7 @@ TEST_F(Calls, AScriptThatCannotBeReadDoesNotRunAsAnEmptyOne) {
 }
 
 // The text of a long script lies in a temporary file while it runs.
-TEST_F(Calls, AScriptWhoseTextIsLostStopsWithTheReason) {
+TEST_F(SystemCallErrors, RunStopsIfTextOfScriptIsLost) {
     const Job job = job_named("gsim-run, a long program");
     const Outcome is_clean = run(job, {.kind = Kind::read});
     const std::uint64_t reads = is_clean.calls[static_cast<std::size_t>(Kind::read)];

@@ -82,14 +82,14 @@ void print_row(const std::string& signal, const std::string& job, const Toll& ki
         stdout);
 }
 
-class Kills : public testing::Test {
+class Termination : public testing::Test {
   protected:
     void SetUp() override {
         if (kInstrumented) GTEST_SKIP() << "what is built into the program makes system calls of its own";
     }
 };
 
-TEST_F(Kills, NoFileIsTornAndWhatIsLeftHoldsNobodyUp) {
+TEST_F(Termination, SigkillLeavesCompleteFilesAndNextRunSucceeds) {
     for (const std::string& name : kChanging) {
         const Toll kills = kill_everywhere(job_named(name), SIGKILL);
         print_row("SIGKILL", name, kills);
@@ -98,7 +98,7 @@ TEST_F(Kills, NoFileIsTornAndWhatIsLeftHoldsNobodyUp) {
     }
 }
 
-TEST_F(Kills, SignalsThatCanBeCaughtLeaveNothingBehind) {
+TEST_F(Termination, CatchableSignalsLeaveNoLeftovers) {
     for (const auto& [signal, text] : std::vector<std::pair<int, std::string>>{
              {SIGTERM, "SIGTERM"}, {SIGINT, "SIGINT"}, {SIGHUP, "SIGHUP"}}) {
         for (const std::string& name : kChanging) {

@@ -32,11 +32,11 @@ void expect_same(const Job& job, const Outcome& found, const Outcome& is_clean) 
     EXPECT_EQ(found.files, is_clean.files) << job.name;
 }
 
-TEST(Clocks, NoResultKnowsWhatTimeItIs) {
+TEST(Clocks, ClockJumpsDoNotChangeResults) {
     for (const Job& job : jobs()) expect_same(job, run(job, {.environment = kJumps}), run(job, {}));
 }
 
-TEST(Clocks, ALimitOfProcessorTimeStillEndsALoop) {
+TEST(Clocks, CpuTimeLimitStopsLoop) {
     const Job job{
         "loop",
         {"gsim-run", "--json", "--max-cpu-seconds", "0.2", "--max-steps", "1000000000000", "loop.lua"},
@@ -64,7 +64,7 @@ class InFolder {
     Folder folder_;
 };
 
-TEST(Clocks, WaitingForALockEnds) {
+TEST(Clocks, WaitingForLockTimesOut) {
     const Job job = job_named("gsim-data set");
     const InFolder folder(job.files);
     const int lock = ::open((folder.path() / ".data.txt.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -97,7 +97,7 @@ class Locale : public testing::Test {
     Folder folder_;
 };
 
-TEST_F(Locale, CommasOfTheLocaleAreInNoOutput) {
+TEST_F(Locale, DecimalCommaDoesNotAppearInOutput) {
     if (!make()) GTEST_SKIP() << "no localedef, or not the sources of de_DE (the package locales)";
     const InFolder check({});
     ASSERT_EQ(check.run({"/bin/bash", "-c", "[[ $(printf %.1f 1,5) == 1,5 ]]"}, environment()).status, 0)
@@ -126,7 +126,7 @@ bool writes_a_file(const Job& job) {
     return is_clean.files != job.files;
 }
 
-TEST(Folders, AFolderThatCannotBeWrittenStaysAsItIs) {
+TEST(Folders, ReadOnlyFolderStaysUnchanged) {
     const std::vector<std::string> user = as_ordinary_user();
     if (user.empty()) GTEST_SKIP() << "root cannot be anyone else here";
     for (const Job& job : jobs()) {
@@ -160,7 +160,7 @@ std::vector<std::string> in_lost_folder(const std::vector<std::string>& command)
     return full;
 }
 
-TEST(Folders, AWorkingFolderThatIsGoneIsNamedOrNotNeeded) {
+TEST(Folders, MissingWorkingFolderIsReportedOrNotNeeded) {
     const std::string wheel = tests::source_path("samples/wheel.nc");
     const std::string path = tests::source_path("samples/wheel.path.json");
     const InFolder folder({});
@@ -193,7 +193,7 @@ TEST(Folders, AWorkingFolderThatIsGoneIsNamedOrNotNeeded) {
 
 // Two programs of different length, written by many runs under the same names: each file is completely one of
 // theirs.
-TEST(Folders, ManyAtOnceLeaveWholeFiles) {
+TEST(Folders, ConcurrentRunsLeaveCompleteFiles) {
     const std::string samples = tests::source_path("samples/");
     const std::vector<std::vector<std::string>> commands = {
         {"gcode2lua", "PART", "-o", "part.lua"},

@@ -66,7 +66,7 @@ TEST_P(GoldenRun, ReportsAsExpected) {
 }
 
 /// A report of a script that is gone would never be looked at.
-TEST(GoldenRuns, HaveAScriptEach) {
+TEST(GoldenRuns, EachReportHasScript) {
     for (const auto& entry : fs::directory_iterator(kFolder)) {
         if (entry.path().extension() != ".json") continue;
         EXPECT_TRUE(fs::exists(fs::path(entry.path()).replace_extension(".lua"))) << entry.path();

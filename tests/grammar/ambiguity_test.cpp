@@ -20,7 +20,7 @@ testing::AssertionResult comes_through(const std::string& line, const Dialect& d
     return testing::AssertionSuccess();
 }
 
-TEST(LongAmbiguity, FiveHundredWords) {
+TEST(LongAmbiguity, BlockOf500WordsDoesNotStopParser) {
     EXPECT_TRUE(comes_through(repeated("X1", " F1", 499)));
     EXPECT_TRUE(comes_through(repeated("X1", " F1", 498) + " G4"));
     EXPECT_TRUE(comes_through(repeated("P1", " F1", 498) + " M98"));
@@ -32,7 +32,7 @@ TEST(LongAmbiguity, FiveHundredWords) {
     EXPECT_TRUE(comes_through(repeated("", "X1 ", 499) + "X Y"));
 }
 
-TEST(LongAmbiguity, TwoThousandSymbols) {
+TEST(LongAmbiguity, BlockOf2000SymbolsDoesNotStopParser) {
     EXPECT_TRUE(comes_through(repeated("X[", "1+", 990) + "1] G4"));
     EXPECT_TRUE(comes_through(repeated("X[", "ATAN[1]/[2]*", 160) + "1] G4"));
     EXPECT_TRUE(comes_through(repeated("P[", "ATAN[1]/2+", 160) + "1] M98"));
@@ -44,7 +44,7 @@ TEST(LongAmbiguity, TwoThousandSymbols) {
     EXPECT_TRUE(comes_through(repeated("X[ATAN[", "ATAN[", 97) + "1" + repeated("", "]/[2]", 98) + "] G4"));
 }
 
-TEST(LongAmbiguity, ErrorsInTheMidst) {
+TEST(LongAmbiguity, ErrorInLongBlockDoesNotStopParser) {
     EXPECT_TRUE(comes_through(repeated("X1", " F1", 300) + " @ G4"));
     EXPECT_TRUE(comes_through(repeated("X1 P1", " F[ATAN[1]/[2]]", 150) + " ] G4"));
     EXPECT_TRUE(comes_through(repeated("", "N1 ", 1000)));
@@ -52,7 +52,7 @@ TEST(LongAmbiguity, ErrorsInTheMidst) {
     EXPECT_TRUE(comes_through(repeated("X", "[", 5000)));
 }
 
-TEST(LongAmbiguity, OfRs274Ngc) {
+TEST(LongAmbiguity, LongNgcBlockDoesNotStopParser) {
     const Dialect& ngc = dialect_rs274ngc();
     EXPECT_TRUE(comes_through(repeated("", "X1 ", 500), ngc));
     EXPECT_TRUE(comes_through(repeated("", "X1 ", 1000000), ngc));
@@ -74,7 +74,7 @@ TEST(LongAmbiguity, OfRs274Ngc) {
     EXPECT_TRUE(comes_through(repeated("X[", "EXISTS[", 1000), ngc));
 }
 
-TEST(LongAmbiguity, RandomBlocksOfRs274Ngc) {
+TEST(LongAmbiguity, RandomNgcBlocksDoNotStopParser) {
     constexpr const char* kPieces[] = {"X1 ",       "X[1+2]",    "P#1 ",   "F[ATAN[1]/[2]*3]",
                                        "G4 ",       "M98 ",      "#1=2 ",  "#<a>=#2 ",
                                        "#[1]=-3",   "##4=5",     "X#<b>",  "@1 ^2",
@@ -92,7 +92,7 @@ TEST(LongAmbiguity, RandomBlocksOfRs274Ngc) {
     }
 }
 
-TEST(LongAmbiguity, RandomBlocks) {
+TEST(LongAmbiguity, RandomAb9BlocksDoNotStopParser) {
     constexpr const char* kPieces[] = {"X1 ",
                                        "U[1+2] ",
                                        "P#1 ",

@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Atan, NgcConflicts,
                                                  "if o1 (GT (ATAN 1 2) (ATAN 3 4))"}));
 
 /// A block that fails in all its readings is an error, never an ambiguity.
-TEST(Conflicts, BlocksWithoutAReading) {
+TEST(Conflicts, BlockWithoutValidReadingIsRejected) {
     for (const char* text :
          {"X5 G4 Y1", "Y1 X5 G4", "P5 M98 G4", "X5 P6 G4 M98", "X1 #1", "X1 #1=2", "P1 # #", "X1 #[1]",
           "X[ATAN[1]/]", "X[ATAN[1]/[2]", "#1 X1", "IF[1]THEN #1", "IF[1]THEN #1=2 X1"}) {

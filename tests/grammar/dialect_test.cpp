@@ -10,7 +10,7 @@
 namespace gsim::grammar::dialect_test {
 namespace {
 
-TEST(Dialect, NoCodeStandsTwiceAndEachIsFound) {
+TEST(Dialect, CodesAreUniqueAndFound) {
     for (const Dialect* dialect : dialects()) {
         std::set<std::string> names;
         for (const Code& code : dialect->codes()) {
@@ -22,7 +22,7 @@ TEST(Dialect, NoCodeStandsTwiceAndEachIsFound) {
 }
 
 /// A letter that a code takes must have a meaning in the dialect, and must not be an axis already.
-TEST(Dialect, WordsOfCodesAreLettersOfTheDialect) {
+TEST(Dialect, CodesUseOnlyLettersOfDialect) {
     for (const Dialect* dialect : dialects()) {
         std::string letters;
         for (const Letter& letter : dialect->rules().letters) letters += letter.address;
@@ -38,7 +38,7 @@ TEST(Dialect, WordsOfCodesAreLettersOfTheDialect) {
     }
 }
 
-TEST(Dialect, CodesAtTheStartExistAndAreOfDifferentGroups) {
+TEST(Dialect, InitialCodesExistInDifferentGroups) {
     for (const Dialect* dialect : dialects()) {
         std::istringstream initial{std::string(dialect->rules().initial)};
         std::set<Group> groups;
@@ -53,7 +53,7 @@ TEST(Dialect, CodesAtTheStartExistAndAreOfDifferentGroups) {
     }
 }
 
-TEST(Dialect, Rs274NgcRefusesByNameWhatItHasAndDoesNotDo) {
+TEST(Dialect, Rs274NgcMarksUnsupportedCodesAsPlanned) {
     for (const int code_x10 : {171, 181, 191, 700, 710, 711, 720}) {
         const Code* code = dialect_rs274ngc().find('G', code_x10);
         ASSERT_NE(code, nullptr) << code_x10;
@@ -73,7 +73,7 @@ TEST(Dialect, Rs274NgcRefusesByNameWhatItHasAndDoesNotDo) {
 
 /// LinuxCNC's documented order: feed mode, F, S, T, M6, spindle, coolant, overrides, dwell, plane, units,
 /// compensation, lengths, coordinate system, path mode, distance mode, cycle level, data, motion, stop.
-TEST(Dialect, OrderOfExecutionOfRs274Ngc) {
+TEST(Dialect, Rs274NgcHasExecutionOrderOfLinuxCnc) {
     const Dialect& ngc = dialect_rs274ngc();
     const std::vector<Phase> order = {
         Phase::feed_mode, Phase::feed,         Phase::spindle_speed, Phase::tool,       Phase::tool_change,
@@ -98,7 +98,7 @@ TEST(Dialect, UnknownCodesAreNotFound) {
     EXPECT_NE(dialect_ab9().find('G', 5990), nullptr);
 }
 
-TEST(Dialect, HasTheCodesOfTheMachine) {
+TEST(Dialect, Ab9HasCodesOfMachine) {
     for (const int g :
          {0, 1, 2, 3, 4, 9, 15, 16, 17, 18, 19, 20, 21, 23, 40, 52, 53, 54, 55, 61, 64, 90, 91, 92, 93, 94}) {
         const Code* code = dialect_ab9().find('G', g * 10);
@@ -115,7 +115,7 @@ TEST(Dialect, HasTheCodesOfTheMachine) {
     }
 }
 
-TEST(Dialect, ModalGroups) {
+TEST(Dialect, Ab9CodesHaveExpectedModalGroups) {
     const std::vector<std::vector<int>> groups = {
         {0, 1, 2, 3}, {17, 18, 19}, {20, 21},
         {90, 91},     {93, 94, 95}, {15, 16},
@@ -131,7 +131,7 @@ TEST(Dialect, ModalGroups) {
     for (const int g : {4, 9, 28, 52, 53, 92}) EXPECT_EQ(group(g), Group::none) << "G" << g;
 }
 
-TEST(Dialect, EveryGroupAndPhaseHasAName) {
+TEST(Dialect, GroupsAndPhasesHaveUniqueNames) {
     std::set<std::string_view> names;
     for (std::size_t g = 0; g < kGroupCount; ++g) {
         EXPECT_FALSE(name(static_cast<Group>(g)).empty()) << g;
@@ -146,7 +146,7 @@ TEST(Dialect, EveryGroupAndPhaseHasAName) {
     EXPECT_EQ(name(static_cast<Phase>(kPhaseCount)), "");
 }
 
-TEST(Dialect, Named) {
+TEST(Dialect, IsFoundByName) {
     EXPECT_EQ(find_dialect("ab9"), &dialect_ab9());
     EXPECT_EQ(find_dialect("rs274ngc"), &dialect_rs274ngc());
     EXPECT_EQ(find_dialect("klipper"), &dialect_klipper());
@@ -154,7 +154,7 @@ TEST(Dialect, Named) {
     EXPECT_EQ(find_dialect(""), nullptr);
 }
 
-TEST(Dialect, Names) {
+TEST(Dialect, FormatsCodeNames) {
     EXPECT_EQ(code_name(*dialect_ab9().find('G', 921)), "G92.1");
     EXPECT_EQ(lua_name(*dialect_ab9().find('G', 921)), "G92_1");
     EXPECT_EQ(lua_name(*dialect_ab9().find('M', 80)), "M8");

@@ -15,7 +15,7 @@ std::string tree(const std::string& expression) {
                : "no expression";
 }
 
-TEST(Expressions, Precedence) {
+TEST(Expressions, FollowOperatorPrecedence) {
     EXPECT_EQ(tree("1+2*3"), "(+ 1 (* 2 3))");
     EXPECT_EQ(tree("1*2+3"), "(+ (* 1 2) 3)");
     EXPECT_EQ(tree("[1+2]*3"), "(* (+ 1 2) 3)");
@@ -30,7 +30,7 @@ TEST(Expressions, Precedence) {
     EXPECT_EQ(tree("[1 LT 2] AND [3 GE 4]"), "(AND (LT 1 2) (GE 3 4))");
 }
 
-TEST(Expressions, Signs) {
+TEST(Expressions, BindSignsToOperands) {
     EXPECT_EQ(tree("-5"), "(neg 5)");
     EXPECT_EQ(tree("-5*2"), "(* (neg 5) 2)");
     EXPECT_EQ(tree("2*-5"), "(* 2 (neg 5))");
@@ -40,7 +40,7 @@ TEST(Expressions, Signs) {
     EXPECT_EQ(tree("-SIN[30]"), "(neg (SIN 30))");
 }
 
-TEST(Expressions, VariablesAndFunctions) {
+TEST(Expressions, ParseVariablesAndFunctions) {
     EXPECT_EQ(tree("##1+#[2+#3]"), "(+ (# #1) (# (+ 2 #3)))");
     EXPECT_EQ(tree("sqrt[#1*#1+#2*#2]"), "(SQRT (+ (* #1 #1) (* #2 #2)))");
     EXPECT_EQ(tree("SQR[4]"), "(SQRT 4)");
@@ -48,7 +48,7 @@ TEST(Expressions, VariablesAndFunctions) {
 }
 
 // ATAN[a]/[b] is the angle whose sides are a and b; ATAN[a]/2 is half of ATAN[a].
-TEST(Atan, OfTwoSidesAndOfOne) {
+TEST(Atan, TakesOneOrTwoSides) {
     EXPECT_EQ(tree("ATAN[1]/[2]"), "(ATAN 1 2)");
     EXPECT_EQ(tree("ATAN[1]/2"), "(/ (ATAN 1) 2)");
     EXPECT_EQ(tree("ATAN[1]/#2"), "(/ (ATAN 1) #2)");
@@ -60,7 +60,7 @@ TEST(Atan, OfTwoSidesAndOfOne) {
     EXPECT_EQ(tree("-ATAN[1]/[2]"), "(neg (ATAN 1 2))");
 }
 
-TEST(Atan, SeveralInOneExpression) {
+TEST(Atan, MayOccurSeveralTimesInExpression) {
     EXPECT_EQ(tree("3*ATAN[1]/[2]"), "(* 3 (ATAN 1 2))");
     EXPECT_EQ(tree("8/ATAN[1]/[2]"), "(/ 8 (ATAN 1 2))");
     EXPECT_EQ(tree("8 MOD ATAN[1]/[2]"), "(MOD 8 (ATAN 1 2))");
@@ -71,7 +71,7 @@ TEST(Atan, SeveralInOneExpression) {
     EXPECT_EQ(tree("ATAN[ATAN[1]/[2]/[3]]/[ATAN[4]/5]"), "(ATAN (/ (ATAN 1 2) 3) (/ (ATAN 4) 5))");
 }
 
-TEST(Atan, UnderAnOpenReadingOfXAndP) {
+TEST(Atan, IsResolvedInAmbiguousWords) {
     EXPECT_EQ(parse("X[ATAN[1]/[2]] F[ATAN[3]/4] U[2*ATAN[5]/[6]] G01\n").blocks[0],
               "words X=(ATAN 1 2):axis F=(/ (ATAN 3) 4) U=(* 2 (ATAN 5 6)):axis G=01");
     EXPECT_EQ(parse("X[ATAN[1]/[2]*ATAN[3]/[4]] F[ATAN[3]/4] G04\n").blocks[0],

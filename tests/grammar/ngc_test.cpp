@@ -23,7 +23,7 @@ std::string messages(const std::string& text) {
     return parsed.messages;
 }
 
-TEST(OWords, EveryKeyword) {
+TEST(OWords, AcceptEveryKeyword) {
     EXPECT_EQ(block("o100 sub"), "sub o100");
     EXPECT_EQ(block("o100 endsub"), "endsub o100");
     EXPECT_EQ(block("o100 endsub [#1+2]"), "endsub o100 (+ #1 2)");
@@ -45,7 +45,7 @@ TEST(OWords, EveryKeyword) {
     EXPECT_EQ(block("o100"), "O100 words") << "a program";
 }
 
-TEST(OWords, TheirNames) {
+TEST(OWords, AcceptNumbersNamesAndExpressions) {
     EXPECT_EQ(block("O 0 1 SUB"), "sub o1");
     EXPECT_EQ(block("o<A Name>call[1]"), "call oaname 1");
     EXPECT_EQ(block("o[#1+1] call"), "call o(+ #1 1)");
@@ -64,7 +64,7 @@ TEST(OWords, TheirNames) {
               "1:2: error: the name of a program must be a number or a name, not an expression\n");
 }
 
-TEST(OWords, WrongNumbersOfValues) {
+TEST(OWords, RejectWrongNumberOfValues) {
     for (const char* keyword : {"sub", "else", "endif", "endwhile", "do", "endrepeat", "break", "continue"}) {
         EXPECT_EQ(messages(fmt::format("o1 {} [1]", keyword)),
                   "1:4: error: this keyword must be followed by nothing\n");
@@ -92,7 +92,7 @@ TEST(OWords, WrongNumbersOfValues) {
               "1:4: error: this keyword must be followed by up to 30 values, each in brackets\n");
 }
 
-TEST(OWords, ErrorsAroundThem) {
+TEST(OWords, RejectInvalidSyntax) {
     EXPECT_EQ(messages("o1 call 5"), "1:9: error: values after an O-word must be in brackets\n");
     EXPECT_EQ(block("o1 5"), "O15 words") << "blanks mean nothing: a program";
     EXPECT_EQ(messages("G1 X1 o1 call"),
@@ -114,7 +114,7 @@ TEST(OWords, ErrorsAroundThem) {
 }
 
 /// LinuxCNC removes all blanks from a block before it reads it.
-TEST(NgcBlanks, MeanNothing) {
+TEST(NgcBlanks, AreIgnored) {
     EXPECT_EQ(block("X[1 2 . 5] Y[. 5] Z#1 2"), "words X=12.5 Y=.5 Z=#12");
     EXPECT_EQ(block("#1 2=1 2"), "words #12:=12");
     EXPECT_EQ(block("X s i n [#1 m o d 2] Y[1 e q 2and3]"), "words X=(SIN (MOD #1 2)) Y=(AND (EQ~ 1 2) 3)");
@@ -126,13 +126,13 @@ TEST(NgcBlanks, MeanNothing) {
         << "but in the 9/Series";
 }
 
-TEST(NgcNumbers, OfParametersMayHaveZerosBehindThePoint) {
+TEST(NgcNumbers, ParameterNumbersMayHaveZeroDecimals) {
     EXPECT_EQ(block("#1.0=2 X#1. Y[#2.00+1]"), "words X=#1 Y=(+ #2 1) #1:=2");
     EXPECT_EQ(messages("X#1.5"), "1:2: error: the number of a variable must be an integer, not 1.5\n");
     EXPECT_EQ(messages("X#.5"), "1:2: error: the number of a variable must be an integer, not .5\n");
 }
 
-TEST(NgcSigns, MayFollowEachOther) {
+TEST(NgcSigns, CanBeRepeated) {
     EXPECT_EQ(block("X--5 Y+-3 Z- -#1 #2=--3"),
               "words X=(neg (neg 5)) Y=(neg 3) Z=(neg (neg #1)) #2:=(neg (neg 3))");
     EXPECT_EQ(block("X[--3] Y[2---3] Z[--2**2] A--[3]"),
@@ -140,7 +140,7 @@ TEST(NgcSigns, MayFollowEachOther) {
     EXPECT_EQ(block("X[--atan[1]/[2]] Y--sin[1]"), "words X=(neg (neg (ATAN 1 2))) Y=(neg (neg (SIN 1)))");
 }
 
-TEST(Settings, StandAmongWords) {
+TEST(NgcAssignments, AreAllowedAmongWords) {
     EXPECT_EQ(block("G1 #1=2 X#1 #<a>=#1 F5"), "words G=1 X=#1 F=5 #1:=2 #<a>:=#1");
     EXPECT_EQ(block("# 1 = 2"), "words #1:=2");
     EXPECT_EQ(block("#1=exists[#<a>] #2=exists[#3]"), "words #1:=(EXISTS #<a>) #2:=(EXISTS #3)");
@@ -199,7 +199,7 @@ TEST(NgcExpressions, LogicBindsWeakest) {
 }
 
 /// In the 9/Series AND binds as *, OR and XOR as +, and comparisons weakest.
-TEST(NgcExpressions, DifferFromThoseOfThe9Series) {
+TEST(NgcExpressions, BindDifferentlyFrom9Series) {
     const auto ab9 = [](const std::string& expression) { return tree(expression, dialect_ab9()); };
     EXPECT_EQ(ab9("1 OR 2 AND 3"), "(OR 1 (AND 2 3))");
     EXPECT_EQ(ab9("1+2 AND 3*4"), "(+ 1 (* (AND 2 3) 4))");

@@ -15,7 +15,7 @@ std::string block(const std::string& text) {
     return parsed.blocks.size() == 1 ? parsed.blocks[0] : "not one block";
 }
 
-TEST(Roles, XIsAnAxisOrTheTimeOfADwell) {
+TEST(Roles, XIsAxisOrDwellTime) {
     EXPECT_EQ(block("X5 F200"), "words X=5:axis F=200");
     EXPECT_EQ(block("X5 F200 G04"), "words X=5:time F=200 G=04");
     EXPECT_EQ(block("X5 G04"), "words X=5:time G=04");
@@ -28,7 +28,7 @@ TEST(Roles, XIsAnAxisOrTheTimeOfADwell) {
     EXPECT_EQ(block("U5 M9 G4"), "words U=5:time M=9 G=4");
 }
 
-TEST(Roles, PIsATimeAProgramOrAParameter) {
+TEST(Roles, PIsTimeProgramOrParameter) {
     EXPECT_EQ(block("P5 G4"), "words P=5:time G=4");
     EXPECT_EQ(block("P2 M98"), "words P=2:program M=98");
     EXPECT_EQ(block("M98 P2 L3"), "words M=98 P=2:program L=3");
@@ -38,13 +38,13 @@ TEST(Roles, PIsATimeAProgramOrAParameter) {
     EXPECT_EQ(block("X0 P2 G30"), "words X=0:axis P=2:parameter G=30");
 }
 
-TEST(Roles, ASubprogramCallMayMoveAxes) {
+TEST(Roles, SubprogramCallMayMoveAxes) {
     EXPECT_EQ(block("X5 P2 M98"), "words X=5:axis P=2:program M=98");
     EXPECT_EQ(block("P2 X5 U1 M98 Y1"), "words P=2:program X=5:axis U=1:axis M=98 Y=1");
     EXPECT_EQ(block("X5 M99"), "words X=5:axis M=99");
 }
 
-TEST(Roles, TheValueMayBeAnExpression) {
+TEST(Roles, ValueMayBeExpression) {
     EXPECT_EQ(block("X#1 G04"), "words X=#1:time G=04");
     EXPECT_EQ(block("X[1+2] F#3"), "words X=(+ 1 2):axis F=#3");
     EXPECT_EQ(block("P[#1*2] M98"), "words P=(* #1 2):program M=98");
@@ -52,7 +52,7 @@ TEST(Roles, TheValueMayBeAnExpression) {
     EXPECT_EQ(block("AR=[5] I1=#2"), "words AR==5 I1==#2");
 }
 
-TEST(Blocks, Prefixes) {
+TEST(Blocks, AcceptPrefixes) {
     EXPECT_EQ(block("/N0010 G0"), "N10 /1 words G=0");
     EXPECT_EQ(block("N10 /3 G0"), "N10 /3 words G=0");
     EXPECT_EQ(block("O0001 G0"), "O0001 words G=0");
@@ -61,7 +61,7 @@ TEST(Blocks, Prefixes) {
     EXPECT_EQ(block("(only a comment)"), "words");
 }
 
-TEST(Blocks, Assignments) {
+TEST(Blocks, AcceptAssignments) {
     EXPECT_EQ(block("#1=5"), "assign #1:=5");
     EXPECT_EQ(block("#1=5 #2=#1+1"), "assign #1:=5 #2:=(+ #1 1)");
     EXPECT_EQ(block("#1=5,#2=6"), "assign #1:=5 #2:=6");
@@ -70,7 +70,7 @@ TEST(Blocks, Assignments) {
     EXPECT_EQ(block("N7 #1=5"), "N7 assign #1:=5");
 }
 
-TEST(Blocks, ControlStructures) {
+TEST(Blocks, AcceptControlStructures) {
     EXPECT_EQ(block("IF[#1 EQ 5]GOTO100"), "if (EQ #1 5) goto 100");
     EXPECT_EQ(block("if [#1 GT 5] goto [#2+10]"), "if (GT #1 5) goto (+ #2 10)");
     EXPECT_EQ(block("IF[#1 NE 5]THEN #2=3"), "if (NE #1 5) then #2:=3");
@@ -83,7 +83,7 @@ TEST(Blocks, ControlStructures) {
     EXPECT_EQ(block("/2 IF[#1]GOTO5"), "/2 if #1 goto 5");
 }
 
-TEST(Blocks, WordsOfThe9Series) {
+TEST(Blocks, AcceptWordsOf9Series) {
     EXPECT_EQ(block("G1 X1 ,C5 ,R[#1] ,A-30"), "words G=1 X=1:axis ,C=5 ,R=#1 ,A=-30");
     EXPECT_EQ(block(",A30"), "words ,A=30");
     EXPECT_EQ(block("G65 P1 I1 J2 K3 I4 X5"), "words G=65 P=1:parameter I=1 J=2 K=3 I=4 X=5:axis");
@@ -96,7 +96,7 @@ TEST(Blocks, WordsOfThe9Series) {
     EXPECT_EQ(parse("POPEN X1\n").messages, "1:7: error: X is not allowed here\n");
 }
 
-TEST(Blocks, EachEndsAtItsLineOrSemicolon) {
+TEST(Blocks, EndAtLineEndOrSemicolon) {
     EXPECT_THAT(parse("%\nO1\nG0 X1;Y2\n\nM2\n%\n").blocks,
                 ElementsAre("tape", "words", "O1 words", "words G=0 X=1:axis", "words Y=2", "words",
                             "words M=2", "tape", "words"));

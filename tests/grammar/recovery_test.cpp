@@ -9,18 +9,18 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(Recovery, AnErrorCostsItsBlockAndNoOther) {
+TEST(Recovery, ErrorAffectsOnlyItsBlock) {
     const Parsed parsed = parse("G1 X1\nX5 Y\nG1 X2;5 5;X3\nX4\n");
     EXPECT_THAT(parsed.blocks, ElementsAre("words G=1 X=1:axis", "bad", "words G=1 X=2:axis", "bad",
                                            "words X=3:axis", "words X=4:axis"));
     EXPECT_EQ(parsed.messages, "2:4: error: Y has no value\n3:7: error: a number without its letter\n");
 }
 
-TEST(Recovery, OneMessageForABlock) {
+TEST(Recovery, ReportsOneMessagePerBlock) {
     EXPECT_EQ(parse("X Y ] @ [ Z\n").messages, "1:1: error: X has no value\n");
 }
 
-TEST(Recovery, TheReadingOfTheNextBlockIsFresh) {
+TEST(Recovery, NextBlockIsReadIndependently) {
     const Parsed parsed = parse("X5 G04 Y1\nX5\nP5 Y G4\nP2 M98\n");
     EXPECT_THAT(parsed.blocks, ElementsAre("bad", "words X=5:axis", "bad", "words P=2:program M=98"));
 }
@@ -32,7 +32,7 @@ struct Wrong {
 
 class SyntaxErrors : public testing::TestWithParam<Wrong> {};
 
-TEST_P(SyntaxErrors, WordForWord) {
+TEST_P(SyntaxErrors, HaveExactMessages) {
     const Parsed parsed = parse(fmt::format("{}\nX1\n", GetParam().text));
     EXPECT_EQ(parsed.messages, fmt::format("1:{}\n", GetParam().message));
     ASSERT_EQ(parsed.blocks.size(), 2U);

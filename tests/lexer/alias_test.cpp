@@ -16,13 +16,13 @@ Aliases prints() {
     return aliases;
 }
 
-TEST(Aliases, OneNameWithinAnotherIsTakenWhole) {
+TEST(Aliases, NameContainedInAnotherIsDistinct) {
     const Scan result = scan("Print\nPrinted\nImPrint X5\nPRINTED print imprint\n", prints());
     EXPECT_EQ(result.messages, "");
     EXPECT_THAT(result.words, ElementsAre("M=10", "M=11", "G=01", "X=5", "M=11", "M=10", "G=01"));
 }
 
-TEST(Aliases, ALongerNameIsNotAnAliasWithARest) {
+TEST(Aliases, AliasWithSuffixIsUnknown) {
     EXPECT_EQ(
         scan("Prints X5\n", prints()).messages,
         "1:1: error: 'Prints' is neither a keyword nor an alias of the machine data; did you mean PRINT?\n");
@@ -36,7 +36,7 @@ TEST(Aliases, ALongerNameIsNotAnAliasWithARest) {
         "1:1: error: 'WHILST' is neither a keyword nor an alias of the machine data; did you mean WHILE?\n");
 }
 
-TEST(Aliases, StandForTheWordInEveryRespect) {
+TEST(Aliases, HaveTokenKindsOfTheirWords) {
     Aliases aliases;
     ASSERT_FALSE(aliases.add("Wait", "G04"));
     ASSERT_FALSE(aliases.add("Sub", "m98"));
@@ -44,7 +44,7 @@ TEST(Aliases, StandForTheWordInEveryRespect) {
                 ElementsAre(kAxisOrTime, kDwell, kEob, kCall, kP, kEob));
 }
 
-TEST(Aliases, ErrorsSayWhatIsWrong) {
+TEST(Aliases, RejectInvalidNamesAndWords) {
     Aliases aliases;
     const std::string bad_name =
         " is not a valid name of an alias: it must begin with at least two letters, then letters, digits and "
@@ -62,7 +62,7 @@ TEST(Aliases, ErrorsSayWhatIsWrong) {
     EXPECT_EQ(aliases.find("jet"), nullptr);
 }
 
-TEST(NearestName, TakesTheBestWithinTwoChanges) {
+TEST(NearestName, ReturnsBestMatchWithinTwoChanges) {
     const std::vector<std::string> names = {"WHILE", "GOTO", "THEN"};
     EXPECT_EQ(nearest_name("GOTU", names), "GOTO");
     EXPECT_EQ(nearest_name("WHILEEE", names), "WHILE");
@@ -70,7 +70,7 @@ TEST(NearestName, TakesTheBestWithinTwoChanges) {
     EXPECT_EQ(nearest_name("G", std::vector<std::string>{"A"}), "") << "nothing of the name would be left";
 }
 
-TEST(Aliases, StandForAWord) {
+TEST(Aliases, AreFoundByTheirWord) {
     Aliases aliases;
     ASSERT_FALSE(aliases.add("GoBack", "M099"));
     ASSERT_FALSE(aliases.add("Jet", "M08.0"));

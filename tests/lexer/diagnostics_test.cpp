@@ -16,7 +16,7 @@ std::string rendered(const std::string& text, std::uint32_t column) {
     return out;
 }
 
-TEST(Diagnostics, LineAndCaret) {
+TEST(Diagnostics, ShowLineAndCaret) {
     EXPECT_EQ(rendered("G1 X5\nY2\n", 4),
               "part.nc:1:4: error: wrong\n"
               "  G1 X5\n"
@@ -26,15 +26,15 @@ TEST(Diagnostics, LineAndCaret) {
     EXPECT_EQ(rendered("G1", 99), "part.nc:1:99: error: wrong\n  G1\n    ^\n") << "no caret beyond the line";
 }
 
-TEST(Diagnostics, TabsKeepTheCaretInPlace) {
+TEST(Diagnostics, AlignCaretAfterTabs) {
     EXPECT_EQ(rendered("\tG1\tX5", 5), "part.nc:1:5: error: wrong\n  \tG1\tX5\n  \t  \t^\n");
 }
 
-TEST(Diagnostics, ControlCharactersCannotReachTheTerminal) {
+TEST(Diagnostics, ReplaceControlCharacters) {
     EXPECT_EQ(rendered(std::string("G\x1b[2J\0\r1", 8), 2), "part.nc:1:2: error: wrong\n  G?[2J??1\n   ^\n");
 }
 
-TEST(Diagnostics, LongLinesAreCutAroundTheColumn) {
+TEST(Diagnostics, CutLongLinesAroundColumn) {
     const std::string digits(1000, '7');
     const std::string start = rendered(digits, 5);
     EXPECT_EQ(start, "part.nc:1:5: error: wrong\n  " + digits.substr(0, 160) + "\n      ^\n");
@@ -43,7 +43,7 @@ TEST(Diagnostics, LongLinesAreCutAroundTheColumn) {
                           std::string(140, ' ') + "^\n");
 }
 
-TEST(Diagnostics, StopsAfterTheLastErrorAllowed) {
+TEST(Diagnostics, StopAfterMaxErrors) {
     const Source source = Source::from_text("X\n", "p.nc");
     std::string out;
     Diagnostics diagnostics(source, 2,
@@ -66,7 +66,7 @@ TEST(Diagnostics, StopsAfterTheLastErrorAllowed) {
               "p.nc: note: stopped after 2 errors\n");
 }
 
-TEST(Diagnostics, AWordEndsBehindItsNumber) {
+TEST(Diagnostics, WordEndsAfterItsNumber) {
     const auto end_of = [](const std::string& line, std::uint32_t column) {
         const Source source = Source::from_text(line, "p.nc");
         std::uint32_t end = 0;
@@ -82,7 +82,7 @@ TEST(Diagnostics, AWordEndsBehindItsNumber) {
     EXPECT_EQ(end_of("G1", 9), 10U) << "behind the line";
 }
 
-TEST(Printable, EscapesControlCharactersAndNothingElse) {
+TEST(Printable, EscapesOnlyControlCharacters) {
     EXPECT_EQ(printable("plain (text) --[[ \xc3\xa4"), "plain (text) --[[ \xc3\xa4");
     EXPECT_EQ(printable("a\rb\x1b\x7f\tc"), "a\\x0Db\\x1B\\x7F\tc");
     EXPECT_EQ(printable(std::string_view("\0\n", 2)), "\\x00\\x0A");

@@ -10,7 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(NgcTokens, BlanksAndCaseMeanNothing) {
+TEST(NgcTokens, IgnoreBlanksAndCase) {
     for (const char* text : {"G0X12.5Y-3\n", "g0x12.5y-3\n", "G 0 X 1 2 . 5 Y - 3\n",
                              "G\t0 X1 2. 5y\t-\t3\r\n", "g0 X1 2 .5 Y- 3", "G0X12.5 Y-3  "}) {
         const Scan result = scan_ngc(text);
@@ -20,7 +20,7 @@ TEST(NgcTokens, BlanksAndCaseMeanNothing) {
     }
 }
 
-TEST(NgcTokens, FormsOfANumber) {
+TEST(NgcTokens, ReadEveryNumberFormat) {
     EXPECT_THAT(scan_ngc("X.5 Y5. Z+5 A007 B-. 5 C+ 5. I0 J-0\n").words,
                 ElementsAre("X=.5", "Y=5.", "Z=5", "A=007", "B=-.5", "C=5.", "I=0", "J=-0"));
     EXPECT_THAT(scan_ngc("G 9 2 . 1 G5 9.3\n").words, ElementsAre("G=92.1", "G=59.3"));
@@ -34,7 +34,7 @@ TEST(NgcTokens, FormsOfANumber) {
               "1:1: error: the number has 25 characters, at most 24 are allowed\n");
 }
 
-TEST(NgcTokens, LettersNeverJoin) {
+TEST(NgcTokens, LettersNeverJoinToNames) {
     EXPECT_THAT(scan_ngc("IFX1\n").tokens, ElementsAre(kOtherLetter, kOtherLetter, kAxis, kEob));
     EXPECT_THAT(scan_ngc("AR=5\n").tokens, ElementsAre(kAxisLetter, kOtherLetter, kSet, kNumber, kEob));
     EXPECT_THAT(scan_ngc("I1=5\n").tokens, ElementsAre(kOther, kSet, kNumber, kEob));
@@ -46,7 +46,7 @@ TEST(NgcTokens, LettersNeverJoin) {
     EXPECT_EQ(scan_ngc("X1 ,C5\n").messages, "1:4: error: unexpected character ','\n");
 }
 
-TEST(NgcTokens, FunctionsBehindALetter) {
+TEST(NgcTokens, FunctionMayFollowLetter) {
     EXPECT_THAT(scan_ngc("XSIN[1]\n").tokens, ElementsAre(kAxisLetter, kFunction, '[', kNumber, ']', kEob));
     EXPECT_THAT(scan_ngc("A abs [#1] Y atan[1]/[2]\n").tokens,
                 ElementsAre(kAxisLetter, kFunction, '[', kVariable, ']', kAxisLetter, kAtan, '[', kNumber,
@@ -56,7 +56,7 @@ TEST(NgcTokens, FunctionsBehindALetter) {
                 ElementsAre(kVariable, kSet, kExists, '[', kNamedVariable, ']', kEob));
 }
 
-TEST(NgcTokens, Expressions) {
+TEST(NgcTokens, ReadOperatorsOfExpressions) {
     EXPECT_THAT(scan_ngc("X[1 eq 2 and 3**4 Mod 5]\n").tokens,
                 ElementsAre(kAxisLetter, '[', kNumber, kComparison, kNumber, kLogicWord, kNumber, kPower,
                             kNumber, kProductWord, kNumber, ']', kEob));
@@ -69,7 +69,7 @@ TEST(NgcTokens, Expressions) {
         << "behind the bracket words go on";
 }
 
-TEST(NgcTokens, NamesOfParameters) {
+TEST(NgcTokens, NormalizeAndLimitParameterNames) {
     const Scan result = scan_ngc("#<Width>=1 # < _The GLOBAL\tone > = 2 X#<a-b.c>\n");
     EXPECT_EQ(result.messages, "");
     EXPECT_THAT(result.names, ElementsAre("width", "_theglobalone", "a-b.c"));
@@ -84,7 +84,7 @@ TEST(NgcTokens, NamesOfParameters) {
     }
 }
 
-TEST(NgcTokens, OWords) {
+TEST(NgcTokens, ReadOWordsWithNamesAndKeywords) {
     const Scan result = scan_ngc("o100 sub\nO 0 1 0 0 Call [1] [2]\nO<My Sub> CALL\nN10 o<1b>return [1]\n");
     EXPECT_EQ(result.messages, "");
     EXPECT_THAT(result.tokens, ElementsAre(kFlowName, kFlow, kEob, kFlowName, kFlow, '[', kNumber, ']', '[',
@@ -98,7 +98,7 @@ TEST(NgcTokens, OWords) {
     EXPECT_THAT(scan_ngc("o000\n").programs, ElementsAre("0"));
 }
 
-TEST(NgcTokens, ErrorsOfOWords) {
+TEST(NgcTokens, RejectInvalidOWords) {
     EXPECT_EQ(scan_ngc("o1 cal [1]\n").messages,
               "1:4: error: 'cal' is not a keyword after an O-word; did you mean CALL?\n");
     EXPECT_EQ(scan_ngc("o1 goto\n").messages, "1:4: error: 'goto' is not a keyword after an O-word\n");
@@ -112,7 +112,7 @@ TEST(NgcTokens, ErrorsOfOWords) {
         << "no names without < >";
 }
 
-TEST(NgcTokens, RemarksAndComments) {
+TEST(NgcTokens, KeepRemarksAndComments) {
     const Scan result = scan_ngc("G0 X1 ;G1 Y2 (no) % \r\n(one)Y2(two);three\n;\n#1=2;four\no1 call;five");
     EXPECT_EQ(result.messages, "");
     EXPECT_THAT(result.words, ElementsAre("G=0", "X=1", "Y=2"));
@@ -124,7 +124,7 @@ TEST(NgcTokens, RemarksAndComments) {
     EXPECT_THAT(scan_ngc("X[1(c)+2] Y3\n").words, ElementsAre("X=", "Y=3")) << "in an expression too";
 }
 
-TEST(NgcTokens, BehindTheSecondTapeMarkNothingIsRead) {
+TEST(NgcTokens, IgnoreTextAfterSecondTapeMark) {
     const Scan result = scan_ngc("%\nG0 X1\n%\nnothing @@@ (\no1 sub\n");
     EXPECT_EQ(result.messages, "");
     EXPECT_THAT(result.tokens, ElementsAre(kTape, kEob, kOther, kAxis, kEob, kTape));
@@ -134,7 +134,7 @@ TEST(NgcTokens, BehindTheSecondTapeMarkNothingIsRead) {
     EXPECT_THAT(scan("%\nX1\n%\nX2\n").words, ElementsAre("X=1", "X=2")) << "9/Series: further programs";
 }
 
-TEST(NgcTokens, BehindM2OnlyOWordsAreRead) {
+TEST(NgcTokens, SkipLinesAfterM2UntilOWord) {
     const Scan result = scan_ngc(
         "X1\nM2\nthis is no code ((\nX2 @\n  \r\n O 100 sub\nX3\no100 endsub\nX4\nm30\nX5 o1 call\n");
     EXPECT_EQ(result.messages, "");
@@ -152,7 +152,7 @@ TEST(NgcTokens, BehindM2OnlyOWordsAreRead) {
     EXPECT_THAT(scan("M2\nX1\n").words, ElementsAre("M=2", "X=1")) << "not so in the 9/Series";
 }
 
-TEST(NgcTokens, BytesThatMeanNothing) {
+TEST(NgcTokens, ReportUnexpectedBytes) {
     EXPECT_EQ(scan_ngc(std::string_view("X1\0Y2\n", 6)).messages, "1:3: error: unexpected byte 0x00\n");
     EXPECT_EQ(scan_ngc(std::string_view("X[1\0]\n", 6)).messages, "1:4: error: unexpected byte 0x00\n");
     EXPECT_EQ(scan_ngc(std::string_view("#<a\0b>=1\n", 9)).messages, "");
@@ -162,7 +162,7 @@ TEST(NgcTokens, BytesThatMeanNothing) {
               "1:4: error: unexpected byte 0xC3\n2:4: error: unexpected character '!'\n");
 }
 
-TEST(NgcTokens, SequenceNumbersAndBlockDelete) {
+TEST(NgcTokens, ReadSequenceNumbersAndBlockDelete) {
     const Scan result = scan_ngc("/N 1 0 G0\nn10.5 G1\n/ 3\n");
     EXPECT_EQ(result.messages, "");
     EXPECT_THAT(result.tokens,

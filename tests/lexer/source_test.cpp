@@ -33,7 +33,7 @@ void expect_reads(Source& source) {
     EXPECT_EQ(source.error(), 0);
 }
 
-TEST(Source, AFileThatGrowsWhileItIsReadEndsWhereItEnded) {
+TEST(Source, GrowingFileEndsAtFirstEnd) {
     const std::string file = testing::TempDir() + "gsim_growing.nc";
     std::ofstream(file) << "G0 X1 (a\n";
     auto source = Source::open(file);
@@ -48,13 +48,13 @@ TEST(Source, AFileThatGrowsWhileItIsReadEndsWhereItEnded) {
     std::filesystem::remove(file);
 }
 
-TEST(Source, Text) {
+TEST(Source, ReadsText) {
     Source source = Source::from_text(std::string(kText), "name");
     EXPECT_EQ(source.name(), "name");
     expect_reads(source);
 }
 
-TEST(Source, File) {
+TEST(Source, ReadsFile) {
     const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "gsim_source_test.nc";
     std::ofstream(path, std::ios::binary) << kText;
     auto source = Source::open(path.string());
@@ -63,7 +63,7 @@ TEST(Source, File) {
     std::filesystem::remove(path);
 }
 
-TEST(Source, StreamThatCannotBeReadTwice) {
+TEST(Source, ReadsSpooledStreamTwice) {
     std::string text(kText);
     std::FILE* stream = ::fmemopen(text.data(), text.size(), "r");
     ASSERT_NE(stream, nullptr);
@@ -74,14 +74,14 @@ TEST(Source, StreamThatCannotBeReadTwice) {
     expect_reads(*source);
 }
 
-TEST(Source, LinesLongerThanOneReadAreFoundWhole) {
+TEST(Source, FindsLineLongerThanOneRead) {
     const std::string line(5000, 'X');
     const Source source = Source::from_text(line + "\nY\n", "t");
     EXPECT_EQ(source.line_at(0), line);
     EXPECT_EQ(source.line_at(5001), "Y");
 }
 
-TEST(Source, ErrorsNameTheFile) {
+TEST(Source, ErrorNamesFile) {
     const auto missing = Source::open("no_such_folder/part.nc");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error(), "no_such_folder/part.nc: No such file or directory");

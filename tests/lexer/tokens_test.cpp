@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(Tokens, WordsWithAndWithoutBlanksInAnyCase) {
+TEST(Tokens, WordsIgnoreBlanksAndCase) {
     for (const char* text :
          {"G01X5Y-2\n", "g01x5y-2\n", "G 01 X 5 Y - 2\n", "\tG01\tX5  Y-2  \n", "g01 X5y -2"}) {
         const Scan result = scan(text);
@@ -19,14 +19,14 @@ TEST(Tokens, WordsWithAndWithoutBlanksInAnyCase) {
     }
 }
 
-TEST(Tokens, EveryFormOfANumber) {
+TEST(Tokens, ReadEveryNumberFormat) {
     EXPECT_THAT(scan("X.5 Y5. Z+5 A007 B-.5 C+5. I0 J-0\n").words,
                 ElementsAre("X=.5", "Y=5.", "Z=5", "A=007", "B=-.5", "C=5.", "I=0", "J=-0"));
     EXPECT_EQ(scan("X.\n").words.size(), 1U) << "a dot alone is no number: X is left without a value";
     EXPECT_THAT(scan("X1.2.3\n").words, ElementsAre("X=1.2"));
 }
 
-TEST(Tokens, EndsOfLinesAndOfTheFile) {
+TEST(Tokens, BlockEndsAtLineEndOrSemicolon) {
     EXPECT_THAT(scan("X1\r\nY2\r\n").tokens, ElementsAre(kAxisOrTime, kEob, kAxis, kEob));
     EXPECT_THAT(scan("X1\nY2").tokens, ElementsAre(kAxisOrTime, kEob, kAxis, kEob));
     EXPECT_THAT(scan("X1;Y2;\n").tokens, ElementsAre(kAxisOrTime, kEob, kAxis, kEob, kEob));
@@ -35,7 +35,7 @@ TEST(Tokens, EndsOfLinesAndOfTheFile) {
     EXPECT_THAT(scan("X1\rY2\n").tokens, ElementsAre(kAxisOrTime, kAxis, kEob)) << "a lone CR is a blank";
 }
 
-TEST(Tokens, TapeMarkBlockDeleteAndSequenceNumber) {
+TEST(Tokens, ReadTapeMarkBlockDeleteAndSequenceNumber) {
     EXPECT_THAT(scan("%\n/N10 G0\n").tokens, ElementsAre(kTape, kEob, kSkip, kSequence, kOther, kEob));
     const Scan levels = scan("/ N0010\n/9 n7\n");
     EXPECT_THAT(levels.tokens, ElementsAre(kSkip, kSequence, kEob, kSkip, kSequence, kEob));
@@ -47,7 +47,7 @@ TEST(Tokens, TapeMarkBlockDeleteAndSequenceNumber) {
     EXPECT_EQ(scan("/10 X1\n").messages, "1:1: error: block delete must be / or /1 to /9, not /10\n");
 }
 
-TEST(Tokens, ProgramNames) {
+TEST(Tokens, ReadProgramNumbersAndNames) {
     EXPECT_THAT(scan("O12345\nO 7\n:3\no0001\n").programs, ElementsAre("12345", "7", "3", "0001"));
     EXPECT_THAT(scan("OPART\nOWheel_2\nO12AB-3_x\nO-2\n").programs,
                 ElementsAre("PART", "Wheel_2", "12AB-3_x"));
@@ -56,7 +56,7 @@ TEST(Tokens, ProgramNames) {
               "1:2: error: the program name has more than 32 characters\n");
 }
 
-TEST(Tokens, CommentsAreKeptAndHideWhatStandsInThem) {
+TEST(Tokens, CommentsAreKeptAndHideTheirContent) {
     const Scan result = scan("(G1 X9 ; N5 %) X1 ( two )Y2()\n");
     EXPECT_THAT(result.words, ElementsAre("X=1", "Y=2"));
     EXPECT_THAT(result.comments, ElementsAre("G1 X9 ; N5 %", " two ", ""));
@@ -65,14 +65,14 @@ TEST(Tokens, CommentsAreKeptAndHideWhatStandsInThem) {
     EXPECT_THAT(scan("X1 (open\nY2\n").words, ElementsAre("X=1", "Y=2")) << "the next block is read";
 }
 
-TEST(Tokens, TheLongerAddresses) {
+TEST(Tokens, ReadMultiCharacterAddresses) {
     EXPECT_THAT(scan("CIP X1 I1=5 j1 = -6 K1=.5\n").words,
                 ElementsAre("CIP=", "X=1", "I1==5", "J1==-6", "K1==.5"));
     EXPECT_THAT(scan("G2 AR=90 ar = 45.\n").words, ElementsAre("G=2", "AR==90", "AR==45."));
     EXPECT_THAT(scan("I1 J1\n").words, ElementsAre("I=1", "J=1")) << "without '=' they are ordinary words";
 }
 
-TEST(Tokens, CornerWords) {
+TEST(Tokens, ReadCornerWords) {
     EXPECT_THAT(scan("X1 ,C5,R.5 , a - 30\n").words, ElementsAre("X=1", ",C=5", ",R=.5", ",A=-30"));
     EXPECT_THAT(scan("X1 ,C#5 ,R[1]\n").tokens,
                 ElementsAre(kAxisOrTime, kOtherLetter, kVariable, kOtherLetter, '[', kNumber, ']', kEob));
@@ -81,7 +81,7 @@ TEST(Tokens, CornerWords) {
     EXPECT_THAT(scan("C5 R6 A7\n").words, ElementsAre("C=5", "R=6", "A=7")) << "without a comma";
 }
 
-TEST(Tokens, StatementsThatPrint) {
+TEST(Tokens, ReadPrintStatements) {
     const Scan result = scan("POPEN\ndprnt [X#1[53]*Y#[2]] (a [note])\nPclos\n");
     EXPECT_EQ(result.messages, "");
     EXPECT_THAT(result.tokens, ElementsAre(kPrint, kEob, kPrint, kEob, kPrint, kEob));
@@ -102,7 +102,7 @@ TEST(Tokens, StatementsThatPrint) {
               "1:1: error: DPRNT accepts at most 400 characters\n");
 }
 
-TEST(Tokens, WhatOnlyRs274NgcHas) {
+TEST(Tokens, RejectSyntaxOfRs274Ngc) {
     EXPECT_EQ(scan("#1=2**3\n").messages,
               "1:5: error: '**' is no operator of the 9/Series; a power is EXP[#2*LN[#1]], or a product\n");
     EXPECT_EQ(scan("X[#<a>]\n").messages, "1:3: error: unexpected character '<'\n");
@@ -114,7 +114,7 @@ TEST(Tokens, WhatOnlyRs274NgcHas) {
     EXPECT_EQ(scan("$1\n").messages, "1:1: error: unexpected character '$'\n");
 }
 
-TEST(Tokens, KindsOfWords) {
+TEST(Tokens, ClassifyWords) {
     EXPECT_THAT(
         scan("X1 U1 P1 A1 B1 C1 V1 W1 Y1 Z1\n").tokens,
         ElementsAre(kAxisOrTime, kAxisOrTime, kP, kAxis, kAxis, kAxis, kAxis, kAxis, kAxis, kAxis, kEob));
@@ -125,7 +125,7 @@ TEST(Tokens, KindsOfWords) {
                             kVariable, kAxisLetter, '-', kVariable, kEob));
 }
 
-TEST(Tokens, Keywords) {
+TEST(Tokens, ReadKeywords) {
     EXPECT_THAT(scan("if[#1 eq 5]goto100\n").tokens,
                 ElementsAre(kIf, '[', kVariable, kRelation, kNumber, ']', kGoto, kNumber, kEob));
     EXPECT_THAT(scan("WHILE [#1LT5] DO1\nEND1\n").tokens,
@@ -135,7 +135,7 @@ TEST(Tokens, Keywords) {
                 ElementsAre(kIf, '[', kNumber, ']', kThen, kVariable, '=', kNumber, kEob));
 }
 
-TEST(Tokens, FunctionsAndOperatorsOfExpressions) {
+TEST(Tokens, ReadFunctionsAndOperators) {
     const Scan result = scan("#1=SIN[1]+atan[2]/[3] MOD 4 or 5\n");
     EXPECT_THAT(result.tokens,
                 ElementsAre(kVariable, '=', kFunction, '[', kNumber, ']', '+', kAtan, '[', kNumber, ']', '/',

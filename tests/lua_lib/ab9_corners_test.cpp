@@ -24,7 +24,7 @@ void expect_to(const Outcome& r, std::size_t n, double x, double y) {
     EXPECT_NEAR(r.to(n, 'Y'), y, 1e-6) << n << r.lua;
 }
 
-TEST(Corners, AChamferBeginsAndEndsAtItsLengthFromTheCorner) {
+TEST(Corners, ChamferEndsLieAtItsLengthFromCorner) {
     const Outcome r = corners("chamfer(2) G1{x=110}\nG1{y=110}");
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
     expect_to(r, 1, 108, 100);
@@ -34,7 +34,7 @@ TEST(Corners, AChamferBeginsAndEndsAtItsLengthFromTheCorner) {
     EXPECT_EQ(r.moves[3].info.location.line, 3U);
 }
 
-TEST(Corners, ARadiusIsTangentToBothMoves) {
+TEST(Corners, RadiusIsTangentToBothMoves) {
     const Outcome r = corners("corner(2) G1{x=110}\ncorner(3) G1{y=110}\nG1{x=100}");
     ASSERT_EQ(r.moves.size(), 6U) << r.message();
     expect_to(r, 1, 108, 100);
@@ -49,7 +49,7 @@ TEST(Corners, ARadiusIsTangentToBothMoves) {
     EXPECT_EQ(corners("corner(2) G1{x=110}\nG1{y=90}").moves.at(2).info.kind, simulation::MoveKind::arc_cw);
 }
 
-TEST(Corners, BetweenALineAndAnArc) {
+TEST(Corners, RoundsCornerOfLineAndArc) {
     // The quarter circle of radius 10 about X100 Y100 begins at right angles to the line; the rounding
     // touches the line from above at distance 2 and the circle from inside: its centre is 8 from the centre
     // of the circle.
@@ -63,7 +63,7 @@ TEST(Corners, BetweenALineAndAnArc) {
     expect_to(r, 3, 100, 110);
 }
 
-TEST(Corners, BetweenTwoArcs) {
+TEST(Corners, RoundsCornerOfTwoArcs) {
     const Outcome r = corners("corner(1) G3{x=110, y=110, j=10}\nG3{x=120, y=120, j=10}");
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
     // Both tangents at the rounding's ends agree with its own: its centre is on the spokes through its ends.
@@ -74,7 +74,7 @@ TEST(Corners, BetweenTwoArcs) {
     expect_to(r, 3, 120, 120);
 }
 
-TEST(Corners, AChamferOnAnArcIsAChord) {
+TEST(Corners, ChamferLengthOnArcIsChordLength) {
     const Outcome r = corners("chamfer(2) G3{x=110, y=110, j=10}\nG1{x=100}");
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
     EXPECT_NEAR(std::hypot(r.to(1, 'X') - 110, r.to(1, 'Y') - 110), 2, 1e-6);
@@ -82,7 +82,7 @@ TEST(Corners, AChamferOnAnArcIsAChord) {
     expect_to(r, 2, 108, 110);
 }
 
-TEST(Corners, InOtherPlanesUnitsAndScales) {
+TEST(Corners, FollowPlaneUnitsAndScale) {
     const Outcome r = run_lua("G18() F(6000.0) G14_1{p=2} corner(1) G1{z=10}\nG1{x=10}");
     ASSERT_EQ(r.moves.size(), 3U) << r.message();
     EXPECT_NEAR(r.to(0, 'Z'), 18, 1e-9);
@@ -91,14 +91,14 @@ TEST(Corners, InOtherPlanesUnitsAndScales) {
     EXPECT_NEAR(run_lua("G20() F(600.0) chamfer(0.1) G1{x=1}\nG1{y=1}").to(0, 'X'), 0.9 * 25.4, 1e-9);
 }
 
-TEST(Corners, SwitchesStandBehindTheCorner) {
+TEST(Corners, ProcessSwitchesAfterCorner) {
     const Outcome r = corners("corner(2) G1{x=110} M8()\nG1{y=110}");
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
     EXPECT_FALSE(r.moves[2].info.process_on);
     EXPECT_TRUE(r.moves[3].info.process_on);
 }
 
-TEST(Corners, InverseTimeKeepsTheSpeed) {
+TEST(Corners, InverseTimeMoveKeepsItsSpeed) {
     const Outcome r = corners("G93() F(60.0) corner(10) G1{x=200}\nF(60.0) G1{y=200}");
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
     EXPECT_NEAR(r.seconds(1), 0.9, 1e-6);
@@ -107,13 +107,13 @@ TEST(Corners, InverseTimeKeepsTheSpeed) {
     EXPECT_NEAR(r.seconds(3), 0.9, 1e-6);
 }
 
-TEST(Corners, MovesThatGoOnInOneDirectionHaveNone) {
+TEST(Corners, IgnoresCornerBetweenCollinearMoves) {
     const Outcome r = corners("corner(2) G1{x=110}\nG1{x=120}");
     ASSERT_EQ(r.moves.size(), 3U) << r.message();
     expect_to(r, 1, 110, 100);
 }
 
-TEST(Corners, ThatDoNotFit) {
+TEST(Corners, RejectsTooLargeCornerAndReversal) {
     expect_alarm(corners("corner(12) G1{x=110}\nG1{y=110}"), 3,
                  {",R of 12 mm", "does not fit", "10.0000 mm"});
     expect_alarm(corners("chamfer(5) G1{x=110}\nG1{y=103}"), 3, {",C of 5 mm", "3.0000 mm"});
@@ -121,7 +121,7 @@ TEST(Corners, ThatDoNotFit) {
     expect_alarm(corners("corner(1) G1{x=110}\nG1{x=100}"), 3, {"[corner]", ",R", "reverses the direction"});
 }
 
-TEST(Corners, ThatHaveNoNextMove) {
+TEST(Corners, RejectsCornerWithoutNextMoveAndInvalidWords) {
     expect_alarm(corners("corner(1) G1{x=110}\nG0{y=110}"), 3, {",R", "a rapid follows"});
     expect_alarm(corners("chamfer(1) G1{x=110}\nM2()"), 3, {",C", "none follows"});
     expect_alarm(corners("corner(1) G1{x=110}\nG1{z=10}"), 3, {",R", "along Z too"});
@@ -134,7 +134,7 @@ TEST(Corners, ThatHaveNoNextMove) {
 
 // Any corner of two lines: the rounding meets both at the same distance from the corner and is tangent to
 // them.
-TEST(Corners, RandomLines) {
+TEST(Corners, RadiusIsTangentToRandomLines) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> angle(-3, 3), heading(-kPi, kPi), size(0.5, 5);
     for (int n = 0; n < 100; ++n) {
@@ -159,7 +159,7 @@ TEST(Corners, RandomLines) {
     }
 }
 
-TEST(Angles, GiveTheOtherCoordinate) {
+TEST(LineAngles, DetermineOtherCoordinate) {
     expect_end(corners("line_angle(45) G1{x=110}"), 110, 110, 0);
     expect_end(corners("line_angle(30) G1{y=110}"), 100 + 10 / std::tan(kPi / 6), 110, 0);
     expect_end(corners("G91() line_angle(45) G1{x=-10}"), 90, 90, 0);
@@ -168,7 +168,7 @@ TEST(Angles, GiveTheOtherCoordinate) {
     expect_alarm(corners("line_angle(45) G1{x=110, y=110}"), 2, {"X and Y"});
 }
 
-TEST(Angles, TwoLinesMeet) {
+TEST(LineAngles, TwoAnglesDetermineIntersection) {
     const Outcome r = corners("line_angle(45) G1()\nline_angle(-45) G1{x=120, y=100}");
     ASSERT_EQ(r.moves.size(), 3U) << r.message();
     expect_to(r, 1, 110, 110);
@@ -180,7 +180,7 @@ TEST(Angles, TwoLinesMeet) {
     EXPECT_NEAR(rounded.moves[2].length_mm, kPi / 2, 1e-6);
 }
 
-TEST(Angles, ThatLeadNowhere) {
+TEST(LineAngles, RejectsAngleWithoutIntersection) {
     expect_alarm(corners("line_angle(45) G1()\nG1{x=110}"), 3, {"next block with ,A"});
     expect_alarm(corners("line_angle(45) G1()\nG2{x=110, i=5}"), 3, {"next block with ,A"});
     expect_alarm(corners("line_angle(45) G1()\nM2()"), 3, {"next block with ,A"});

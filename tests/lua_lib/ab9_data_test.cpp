@@ -5,7 +5,7 @@
 namespace gsim::script::ab9_data_test {
 namespace {
 
-TEST(DataSetting, WorkCoordinateSystems) {
+TEST(DataSetting, G10L2SetsWorkCoordinateSystems) {
     expect_end(run_lua("G10{l=2, p=1, x=10, y=5} G0{x=1, y=1}"), 11, 6, 0);
     expect_end(run_lua("G10{l=2, p=9, x=10} G0{x=1} G59_3() G0{x=1}"), 11, 0, 0);
     expect_end(run_lua("G10{l=2, p=1, x=10} G91() G10{l=2, p=1, x=5} G90() G0{x=1}"), 16, 0, 0);
@@ -14,18 +14,18 @@ TEST(DataSetting, WorkCoordinateSystems) {
     EXPECT_TRUE(run_lua("G10{l=2, p=1, x=10}").moves.empty());
 }
 
-TEST(DataSetting, TheExternalOffsetMovesAllOfThem) {
+TEST(DataSetting, ExternalOffsetMovesAllSystems) {
     expect_end(run_lua("G10{l=2, p=0, x=10} G10{l=2, p=2, x=5} G55() G0{x=1}"), 16, 0, 0);
     expect_end(run_lua("G10{l=2, p=0, x=10} G0{x=1}"), 11, 0, 0);
 }
 
-TEST(DataSetting, SettableFrames) {
+TEST(DataSetting, G10L20SetsSettableFrames) {
     expect_end(run_lua("G10{l=20, p=5, x=10} G505() G0{x=1}"), 11, 0, 0);
     expect_end(run_lua("G10{l=20, p=99, x=10} G599() G0{x=1}"), 11, 0, 0);
     expect_end(run_lua("G10{l=20, p=4, x=10} G57() G0{x=1}"), 11, 0, 0);
 }
 
-TEST(DataSetting, ToolOffsetsAreTheSumOfGeometryAndWear) {
+TEST(DataSetting, ToolOffsetIsSumOfGeometryAndWear) {
     const std::string set = "G10{l=10, p=3, r=50} G10{l=11, p=3, r=-1} ";
     expect_end(run_lua(set + "G43{h=3} G0{z=0}"), 0, 0, 49);
     expect_end(run_lua(set + "G91() G10{l=11, p=3, r=0.5} G90() G43{h=3} G0{z=0}"), 0, 0, 49.5);
@@ -33,12 +33,12 @@ TEST(DataSetting, ToolOffsetsAreTheSumOfGeometryAndWear) {
     expect_end(run_lua("v[2003]=50.0 v[2203]=1.0 G43{h=3} G0{z=0}"), 0, 0, 51);
 }
 
-TEST(DataSetting, AnOffsetInForceStaysUntilItIsCalledAgain) {
+TEST(DataSetting, ActiveOffsetStaysUntilNextCall) {
     expect_end(run_lua("G10{l=10, p=3, r=50} G43{h=3} G10{l=10, p=3, r=60} G0{z=0}"), 0, 0, 50);
     expect_end(run_lua("G10{l=10, p=3, r=50} G43{h=3} G10{l=10, p=3, r=60} H(3) G0{z=0}"), 0, 0, 60);
 }
 
-TEST(DataSetting, SaysWhatItNeeds) {
+TEST(DataSetting, RejectsMissingOrInvalidWords) {
     expect_alarm(run_lua("\nG10{p=1, x=1}"), 2, {"[word-missing]", "G10", "L:", "L2", "L10"});
     expect_alarm(run_lua("G10{l=5, p=1, x=1}"), 1, {"L5", "L2, L20"});
     expect_alarm(run_lua("G10{l=2, x=1}"), 1, {"P", "0 to 9", "missing"});
@@ -51,7 +51,7 @@ TEST(DataSetting, SaysWhatItNeeds) {
                  {"G10", "cutter compensation"});
 }
 
-TEST(SystemVariables, HoldTheZeroPoints) {
+TEST(SystemVariables, ReadAndSetZeroPoints) {
     expect_end(run_lua("G10{l=2, p=1, x=10, y=5} G53() G0{x=v[5221], y=v[5222]}"), 10, 5, 0);
     expect_end(run_lua("v[5221]=10.0 v[5202]=4.0 G0{x=1, y=1}"), 11, 5, 0);
     expect_end(run_lua("v[5381]=7.0 G59_3() G0{x=1}"), 8, 0, 0);

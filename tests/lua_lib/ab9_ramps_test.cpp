@@ -12,7 +12,7 @@ double time_s(const std::string& words) {
     return r.report.cycle_time_s;
 }
 
-TEST(Ab9Ramps, InfiniteOnesTakeNoTime) {
+TEST(Ab9Ramps, InfiniteRampTakesNoTime) {
     const double straight_s = time_s("");
     EXPECT_GT(straight_s, 1.05);
     EXPECT_NEAR(time_s("G47.9"), 1.0, 1e-9);
@@ -20,7 +20,7 @@ TEST(Ab9Ramps, InfiniteOnesTakeNoTime) {
     EXPECT_EQ(time_s("G47.9\nG47"), straight_s);
 }
 
-TEST(Ab9Ramps, CurvesNeedAJerk) {
+TEST(Ab9Ramps, SCurveRequiresJerk) {
     const double straight_s = time_s("");
     EXPECT_EQ(time_s("G47.1"), straight_s);
     const Outcome r = run("G47.1\nG1 X1 F600\nM30\n");
@@ -31,14 +31,14 @@ TEST(Ab9Ramps, CurvesNeedAJerk) {
 }
 
 // 100 mm at 100 mm/s: each ramp costs half of its time.
-TEST(Ab9Ramps, LimitsInProgramUnits) {
+TEST(Ab9Ramps, LimitsUseProgramUnits) {
     EXPECT_NEAR(time_s("G48.1 X400\nG48.2 X200"), 1 + 0.125 + 0.25, 1e-9);
     EXPECT_NEAR(time_s("G20 G48.1 X10\nG48.2 X10\nG21"), 1 + 100 / 254.0, 1e-9);
     EXPECT_EQ(time_s("G48.1 X100\nG48"), time_s(""));
     EXPECT_EQ(time_s("G48.1 X1000000"), time_s("")) << "the machine's hold";
 }
 
-TEST(Ab9Ramps, WrongValues) {
+TEST(Ab9Ramps, RejectsInvalidValues) {
     EXPECT_FALSE(run("G48.1 X0\nM30\n").completed());
     EXPECT_FALSE(run("G48.1\nM30\n").completed());
     EXPECT_FALSE(run("G48.2 W5\nM30\n").completed());

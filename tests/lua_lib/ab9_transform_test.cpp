@@ -23,7 +23,7 @@ void expect_refused(const std::string& lua, const std::vector<std::string>& text
     expect_alarm(run_lua(lua), 1, texts);
 }
 
-TEST(Mirror, IsAboutTheCoordinateGiven) {
+TEST(Mirror, ReflectsAboutGivenCoordinate) {
     expect_at("G51_1{x=0} G1{x=20, y=5}", -20, 5);
     expect_at("G51_1{x=10} G1{x=20, y=5}", 0, 5);
     expect_at("G51_1{x=10} G51_1{y=0} G1{x=20, y=5}", 0, -5);  // they add up
@@ -32,7 +32,7 @@ TEST(Mirror, IsAboutTheCoordinateGiven) {
     expect_at("G20() G51_1{x=1} G1{x=2, y=0}", 0, 0);
 }
 
-TEST(Mirror, TurnsArcsRound) {
+TEST(Mirror, ReversesArcDirection) {
     const Outcome r =
         run_lua("F(6000.0) G52{x=500, y=500, z=100} G1{x=0, y=0, z=0} G51_1{x=0} G2{x=20, y=0, i=10}");
     ASSERT_TRUE(r.completed()) << r.message();
@@ -47,7 +47,7 @@ TEST(Mirror, TurnsArcsRound) {
               simulation::MoveKind::arc_cw);
 }
 
-TEST(Scaling, ByOneFactorOrThree) {
+TEST(Scaling, AcceptsOneFactorOrThree) {
     expect_at("G14_1{p=2} G1{x=20, y=5, z=1}", 40, 10, 2);
     expect_at("G14{p=0.5} G1{x=20, y=5}", 10, 2.5);
     expect_at("G14_1{p=2, x=10, y=1} G1{x=20, y=5}", 30, 9);
@@ -55,7 +55,7 @@ TEST(Scaling, ByOneFactorOrThree) {
     expect_at("G14_1{p=2, j=3} G1{x=20, y=5, z=1}", 40, 15, 2);  // a factor of its own precedes P
 }
 
-TEST(Scaling, TheBareCodeEndsItWhicheverItIs) {
+TEST(Scaling, EitherBareCodeCancelsScaling) {
     expect_at("G14_1{p=2} G14() G1{x=20, y=5}", 20, 5);
     expect_at("G14_1{p=2} G14_1() G1{x=20, y=5}", 20, 5);
     expect_at("G14{p=2} G14_1() G1{x=20, y=5}", 20, 5);
@@ -70,13 +70,13 @@ TEST(Scaling, ScalesIncrementsArcsAndRadii) {
     expect_refused("F(6000.0) G14_1{i=2} G2{x=20, y=0, i=10}", {"ellipse"});
 }
 
-TEST(Scaling, NeedsAFactor) {
+TEST(Scaling, RejectsMissingOrZeroFactor) {
     expect_refused("G14_1{x=5}", {"G14.1", "P", "I, J, K"});
     expect_refused("G14{p=0}", {"[frame]", "G14", "must not be 0"});
     expect_refused("G14{p=2, q=1}", {"'q' is not a word of G14"});
 }
 
-TEST(Rotation, IsCounterclockwiseAboutItsCentre) {
+TEST(Rotation, IsCounterclockwiseAboutCentre) {
     expect_at("G68{x=10, y=0, r=90} G1{x=20, y=0}", 10, 10);
     expect_at("G68{r=90} G1{x=20, y=0}", 0, 20);
     expect_at("G68{r=-90} G1{x=20, y=0, z=3}", 0, -20, 3);
@@ -85,7 +85,7 @@ TEST(Rotation, IsCounterclockwiseAboutItsCentre) {
     expect_at("G68{r=30} G1{x=20, y=5}", 20 * c - 5 * s, 20 * s + 5 * c);
 }
 
-TEST(Rotation, IsInThePlaneInForce) {
+TEST(Rotation, UsesActivePlane) {
     expect_at("G18() G68{r=90} G1{x=0, y=0, z=10}", 10, 0, 0);  // from +Z to +X
     expect_at("G19() G68{r=90} G1{x=0, y=10, z=0}", 0, 0, 10);  // from +Y to +Z
     expect_refused("G68{z=5, r=90}", {"[frame]", "G68", "Z is not an axis", "X and Y"});
@@ -98,19 +98,19 @@ TEST(Rotation, AddsUpInIncrementalMode) {
     expect_at("G68{r=30} G68{r=90} G1{x=20, y=0}", 0, 20);
 }
 
-TEST(Rotation, BelongsToItsWorkCoordinateSystem) {
+TEST(Rotation, AppliesToItsWorkCoordinateSystem) {
     const std::string rotated = "G68{r=90} G55() G1{x=20, y=0} ";
     expect_at(rotated, 20, 0);
     expect_at(rotated + "G54() G1{x=20, y=0}", 0, 20);
 }
 
-TEST(Rotation, IncrementsTurnWithIt) {
+TEST(Rotation, RotatesIncrements) {
     expect_at("G1{x=10, y=0} G68{r=90} G91() G1{x=5}", 10, 5);
 }
 
 // p' = R(S(M(p))), the centres being points of the program: the order in which they are programmed does not
 // matter.
-TEST(Transforms, MirrorThenScaleThenRotation) {
+TEST(Transforms, MirrorThenScaleThenRotateInAnyProgramOrder) {
     const std::string codes[] = {"G51_1{x=0} ", "G14_1{i=2, j=3, x=1} ", "G68{x=2, y=1, r=90} "};
     const int orders[][3] = {{0, 1, 2}, {2, 1, 0}, {1, 0, 2}, {0, 2, 1}, {1, 2, 0}, {2, 0, 1}};
     const auto scaled = [](double x, double y) { return std::pair{2 * (-x + 1) - 1, 3 * y}; };
@@ -123,11 +123,11 @@ TEST(Transforms, MirrorThenScaleThenRotation) {
     }
 }
 
-TEST(Transforms, MoveNothingByThemselves) {
+TEST(Transforms, CauseNoMotion) {
     EXPECT_TRUE(run_lua("G51_1{x=5} G14_1{p=2} G68{r=45} G69() G14() G50_1()").moves.empty());
 }
 
-TEST(Transforms, MachineCoordinatesStayOutside) {
+TEST(Transforms, DoNotAffectMachineCoordinates) {
     expect_end(run_lua("F(6000.0) G51_1{x=0} G68{r=90} G53() G1{x=30, y=40}"), 30, 40, 0);
 }
 

@@ -16,7 +16,7 @@ std::string variable_value(const std::string& words, const std::string& expressi
     return {};
 }
 
-TEST(Positions, OfProgramMachineAndWork) {
+TEST(PositionVariables, HoldProgramMachineAndWorkPositions) {
     const std::string moved = "G10{l=2, p=1, x=100, y=200} G0{x=5, y=7, b=30}";
     EXPECT_EQ(variable_value(moved, "v[5001]"), "5.0000");
     EXPECT_EQ(variable_value(moved, "v[5002]"), "7.0000");
@@ -32,7 +32,7 @@ TEST(Positions, OfProgramMachineAndWork) {
     expect_alarm(run_lua("v[5021]=1"), 1, {"#5021", "can only be read"});
 }
 
-TEST(ModalCodes, ByGroup) {
+TEST(ModalCodeVariables, HoldActiveCodeOfEachGroup) {
     const std::pair<std::string, std::string> cases[] = {
         {"v[4001]", "0"},  {"v[4002]", "17"}, {"v[4003]", "90"},  {"v[4004]", "23"}, {"v[4005]", "94"},
         {"v[4006]", "21"}, {"v[4007]", "40"}, {"v[4008]", "49"},  {"v[4009]", "80"}, {"v[4010]", "98"},
@@ -51,7 +51,7 @@ TEST(ModalCodes, ByGroup) {
     expect_alarm(run_lua("v[1]=v[4018]"), 1, {"#4018", "#4001 to #4017"});
 }
 
-TEST(Clock, GoesWithTheMachine) {
+TEST(ClockVariables, FollowMachineTime) {
     EXPECT_EQ(variable_value("", "v[3011]"), "20010101.0000");
     EXPECT_EQ(variable_value("G4{p=3661}", "v[3012]"), "10101.0000");
     EXPECT_EQ(variable_value("G4{p=86400*59}", "v[3011]"), "20010301.0000");
@@ -59,14 +59,14 @@ TEST(Clock, GoesWithTheMachine) {
     EXPECT_EQ(variable_value("G4{p=5400}", "v[3002]"), "1.5000");
 }
 
-TEST(Messages, AlarmAndStop) {
+TEST(MessageVariables, RaiseAlarmAndStop) {
     expect_alarm(run_lua("\nv[3000]=101"), 2, {"alarm 101"});
     EXPECT_EQ(run_lua("v[3006]=1").events(), "stop");
     expect_alarm(run_lua("v[1]=v[3000]"), 1, {"can only be set"});
     EXPECT_EQ(run_lua("v[3003]=1 v[3003]=0").report.messages.warnings.size(), 1U);
 }
 
-TEST(Signals, InputsAreAnsweredByTheScript) {
+TEST(SignalVariables, ReadInputsFromScriptAndReportOutputs) {
     EXPECT_EQ(variable_value("on_input(function(kind, n) return n == 2 end)", "v[1002]*10 + v[1003]"),
               "10.0000");
     EXPECT_EQ(variable_value("on_input(function(kind, n) return n == 2 or n == 0 end)", "v[1032]"), "5.0000");
@@ -78,11 +78,11 @@ TEST(Signals, InputsAreAnsweredByTheScript) {
     expect_alarm(run_lua("v[1000]=1"), 1, {"#1000", "can only be read"});
 }
 
-TEST(Signals, MirroredAxesAreBits) {
+TEST(SignalVariables, HoldMirroredAxesAsBits) {
     EXPECT_EQ(variable_value("G51_1{x=0, z=0}", "v[3007]"), "5.0000");
 }
 
-TEST(Print, NeedsAnOpenOutput) {
+TEST(Print, RequiresOpenOutput) {
     EXPECT_EQ(run_lua("POPEN() v[1]=-0.0001 DPRNT(\"A%%%.3f %.4f\", v[1], v[1])").report.events.back().detail,
               "A%0.000 -0.0001");
     const Outcome r = run_lua("POPEN() v[1]=1.25 DPRNT(\"X%.3f Y%.1f\", v[1], v[2]) PCLOS()");

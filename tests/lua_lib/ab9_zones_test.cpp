@@ -19,31 +19,31 @@ void expect_enters(const std::string& lua, const std::vector<std::string>& texts
     expect_alarm(run_lua(kBox + "\n" + lua), 2, all);
 }
 
-TEST(Zones, AMoveIntoOne) {
+TEST(Zones, RejectsMoveIntoZone) {
     expect_enters("G0{x=150, y=150}", {"axis X", "X100.0000 Y100.0000"});
     expect_enters("G1{y=150} G1{x=300}", {"axis X", "X100.0000 Y150.0000", "X 100 to 200"});
 }
 
-TEST(Zones, AMoveThroughOneWithBothEndsOutside) {
+TEST(Zones, RejectsMoveThroughZoneWithBothEndsOutside) {
     expect_enters("G0{x=150} G0{x=0, y=300}", {"axis Y"});
     expect_enters("G1{x=300, y=300}", {"X100.0000 Y100.0000"});
     expect_enters("G1{z=51} G1{x=150} G1{y=150} G1{z=0}", {"axis Z", "Z50.0000"});
 }
 
-TEST(Zones, PastItsWalls) {
+TEST(Zones, AcceptsMovePastWalls) {
     EXPECT_TRUE(run_lua(kBox + "G1{x=99} G1{x=99, y=300} G1{x=300, y=300} G1{x=300, y=0}").completed());
     EXPECT_TRUE(run_lua(kBox + "G1{z=50.1} G1{x=150, y=150} G1{z=60}").completed());
     EXPECT_TRUE(run_lua(kBox + "G1{y=200} G1{x=50, y=250} G1{x=150, y=200.1}").completed());
 }
 
 // The walls belong to the zone.
-TEST(Zones, AlongAWall) {
+TEST(Zones, RejectsMoveAlongWall) {
     expect_enters("G1{x=100} G1{y=300}", {"axis Y", "X100.0000 Y100.0000"});
     expect_enters("G1{y=150} G1{x=100}", {"axis X", "X100.0000 Y150.0000"});
     expect_enters("G1{z=50} G1{x=150, y=150}", {"Z50.0000"});
 }
 
-TEST(Zones, ArcsAtTheirDeepestPoint) {
+TEST(Zones, ChecksArcAtDeepestPoint) {
     // Half circles about X150 Y0: radius 90 stays below the wall at Y100, radius 110 does not.
     EXPECT_TRUE(run_lua(kBox + "G1{x=60} G2{x=240, y=0, i=90}").completed());
     EXPECT_TRUE(run_lua(kBox + "G1{x=50.1} G2{x=249.9, y=0, i=99.9}").completed());
@@ -53,7 +53,7 @@ TEST(Zones, ArcsAtTheirDeepestPoint) {
     EXPECT_TRUE(run_lua(kBox + "G1{x=40, z=100} G2{x=260, y=0, z=90, i=110}").completed());
 }
 
-TEST(Zones, WhereTheToolStandsInsideItMustStayInside) {
+TEST(Zones, ToolInsideZoneMustStayInside) {
     const std::string inside = "F(6000.0) G0{x=150, y=150} G22{x=200, y=200, i=100, j=100}\n";
     EXPECT_TRUE(run_lua(inside + "G1{x=200, y=200, z=300} G1{x=100}").completed());
     expect_alarm(run_lua(inside + "G1{x=201}"), 2, {"leaves the zone", "axis X", "stay inside"});
@@ -62,14 +62,14 @@ TEST(Zones, WhereTheToolStandsInsideItMustStayInside) {
     expect_alarm(run_lua(inside + "G1{x=110, y=180} G2{x=190, i=40}"), 2, {"axis Y", "Y200.0000"});
 }
 
-TEST(Zones, OffAndOnAgain) {
+TEST(Zones, G23DisablesAndG22EnablesZone) {
     EXPECT_TRUE(run_lua(kBox + "G23() G1{x=300, y=300}").completed());
     expect_alarm(run_lua(kBox + "G23() G1{x=0, y=300}\nG22()\nG1{x=300, y=0}"), 3, {"enters"});
     expect_alarm(run_lua("G22()"), 1, {"G22 needs its zone"});
     EXPECT_TRUE(run_lua("G23()").completed());
 }
 
-TEST(Zones, CornersMayBeGivenInAnyOrder) {
+TEST(Zones, AcceptsCornersInAnyOrder) {
     expect_alarm(run_lua("G22{x=100, y=200, i=200, j=100}\nG0{x=150, y=150}"), 2, {"enters"});
     expect_alarm(run_lua("G20() G22{x=4, i=8}\nG0{x=5}"), 2, {"X 101.6 to 203.2"});
     expect_alarm(run_lua("G22{x=100}"), 1, {"both X and I"});
@@ -83,7 +83,7 @@ TEST(Zones, AreInMachineCoordinates) {
 }
 
 // Against a fine walk along each straight move.
-TEST(Zones, AgreeWithAWalkAlongTheMove) {
+TEST(Zones, AgreeWithSamplingOfRandomMoves) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> location(0, 300);
     for (int n = 0; n < 150; ++n) {
@@ -127,7 +127,7 @@ Conditions with_zones() {
     return setup;
 }
 
-TEST(Zones, OfMachineDataHoldFromTheStartOn) {
+TEST(Zones, MachineDataZonesApplyFromStart) {
     expect_alarm(run("G0 X500\nG1 X700 F6000", with_zones()), 2,
                  {"leaves the working zone on axis X", "X600.0000"});
     Conditions ngc = with_zones();
@@ -135,7 +135,7 @@ TEST(Zones, OfMachineDataHoldFromTheStartOn) {
     expect_alarm(run("G21\nG0 X500\nG1 X700 F6000\nM2", ngc), 3, {"leaves the working zone on axis X"});
 }
 
-TEST(Zones, OfMachineDataAreSwitchedByTheirNumber) {
+TEST(Zones, MachineDataZonesSwitchByNumber) {
     EXPECT_TRUE(run("G0 X150 Y150\nG0 X0 Y0", with_zones()).completed());
     const Outcome on = run("G22 P3\nG1 X150 F6000\nY150", with_zones());
     EXPECT_NE(on.lua.find("G22{p=3}"), std::string::npos) << on.lua;
@@ -149,7 +149,7 @@ TEST(Zones, OfMachineDataAreSwitchedByTheirNumber) {
                  {"enters security zone 4"});
 }
 
-TEST(Zones, OfMachineDataAndOfTheProgramHoldTogether) {
+TEST(Zones, MachineDataAndProgramZonesApplyTogether) {
     const std::string both = "G22 P3\nG22 X300 I400\nG0 X50\n";
     expect_alarm(run(both + "G0 Y250\nX350", with_zones()), 5, {"enters the zone of G22"});
     expect_alarm(run(both + "G0 Y150\nX350", with_zones()), 5, {"enters security zone 4"});
@@ -157,7 +157,7 @@ TEST(Zones, OfMachineDataAndOfTheProgramHoldTogether) {
 }
 
 // The offset of the move gives the position of the tool's end, not that of the block that is read.
-TEST(Zones, AreAboutTheEndOfTheTool) {
+TEST(Zones, ApplyToTcp) {
     const std::string low = "G0 Z100\nG22 Z50 K0\n";
     expect_alarm(run(low + "G1 Z49 F6000", with_tools()), 3, {"axis Z", "Z50.0000"});
     const Outcome shifted = run(low + "G43 H2\nG1 Z51 F6000\nG1 Z49\nG49", with_tools());
@@ -166,7 +166,7 @@ TEST(Zones, AreAboutTheEndOfTheTool) {
 }
 
 // The corner of a box on a diagonal: from first principles, to a microsecond.
-TEST(Zones, TheTimeIsThatOfTheLawAlongTheWay) {
+TEST(Zones, EntryTimeFollowsTimeLaw) {
     for (const double x : {20.0, 100.0, 200.0, 280.0}) {
         SCOPED_TRACE(x);
         const Outcome ended =
@@ -185,14 +185,14 @@ TEST(Zones, TheTimeIsThatOfTheLawAlongTheWay) {
     }
 }
 
-TEST(Zones, ALongStretchBehindTheAlarmIsNotReported) {
+TEST(Zones, ReportExcludesMotionAfterAlarm) {
     const Outcome ended = run("F6000 G22 X100 I200\nG1 X50\nM8\nX150\nM9\nX300", with_tools());
     expect_alarm(ended, 4, {"X100.0000"});
     EXPECT_EQ(ended.events(), "jet_on");
     EXPECT_NEAR(ended.report.distances.feed_mm, 100, 1e-6);
 }
 
-TEST(Zones, SeeArcsThroughAPointAndMovesThroughCompensation) {
+TEST(Zones, CheckArcsThroughPointAndCompensatedMoves) {
     expect_alarm(run_lua("F(6000.0) G22{x=40, i=60, y=20, j=90}\nCIP{x=100, i1=50, j1=50}"), 2, {"enters"});
     // The path is 3 mm off the programmed one, which keeps out of the zone.
     expect_alarm(

@@ -21,7 +21,7 @@ void expect_arc(const Outcome& r, std::array<double, 3> center, double length_mm
     EXPECT_NEAR(move.length_mm, length_mm, 1e-6) << r.lua;
 }
 
-TEST(Arcs, ByCentreInBothSenses) {
+TEST(Arcs, MoveByCentreInBothDirections) {
     expect_arc(run("F1000 G0 X100 Y100\nG3 X90 Y110 I-10\n"), {90, 100, 0}, 10 * kPi / 2, {90, 110, 0});
     expect_arc(run("F1000 G0 X100 Y100\nG2 X90 Y110 I-10\n"), {90, 100, 0}, 10 * kPi * 1.5, {90, 110, 0});
     // Chords that the thesis has special cases for: upright and level ones.
@@ -29,7 +29,7 @@ TEST(Arcs, ByCentreInBothSenses) {
     expect_arc(run("F1000 G0 X100 Y100\nG2 X120 I10\n"), {110, 100, 0}, 10 * kPi, {120, 100, 0});
 }
 
-TEST(Arcs, PassOnTheRightSide) {
+TEST(Arcs, PassOnCorrectSide) {
     // Half a circle from (100,100) to (120,100): clockwise over the top, counterclockwise below.
     const Outcome over = run("F1000 G0 X100 Y100\nG2 X120 I10\n");
     EXPECT_NEAR(over.segments.back().position_at(over.segments.back().duration_s / 2)[1], 110, 1e-6);
@@ -37,7 +37,7 @@ TEST(Arcs, PassOnTheRightSide) {
     EXPECT_NEAR(below.segments.back().position_at(below.segments.back().duration_s / 2)[1], 90, 1e-6);
 }
 
-TEST(Arcs, InTheOtherPlanes) {
+TEST(Arcs, MoveInZxAndYzPlanes) {
     // ZX: Z is the first axis and X the second, so counterclockwise leads from +Z to +X.
     expect_arc(run("F1000 G18 G0 X100 Z110\nG3 X110 Z100 K-10\n"), {100, 0, 100}, 10 * kPi / 2,
                {110, 0, 100});
@@ -52,7 +52,7 @@ TEST(Arcs, InTheOtherPlanes) {
               simulation::MoveKind::arc_cw);
 }
 
-TEST(Arcs, ByRadiusOfBothSigns) {
+TEST(Arcs, RadiusSignSelectsShortOrLongArc) {
     const std::string start = "F1000 G0 X100 Y100\n";
     expect_arc(run(start + "G3 X90 Y110 R10\n"), {90, 100, 0}, 10 * kPi / 2, {90, 110, 0});
     expect_arc(run(start + "G3 X90 Y110 R-10\n"), {100, 110, 0}, 15 * kPi, {90, 110, 0});
@@ -61,7 +61,7 @@ TEST(Arcs, ByRadiusOfBothSigns) {
     expect_arc(run(start + "G2 X120 R10\n"), {110, 100, 0}, 10 * kPi, {120, 100, 0});
 }
 
-TEST(Arcs, ByAngleWithCentreOrEnd) {
+TEST(Arcs, AcceptAngleWithCentreOrEnd) {
     const std::string start = "F1000 G0 X100 Y100\n";
     const double c = 10 * std::cos(kPi / 6), s = 10 * std::sin(kPi / 6);
     expect_arc(run(start + "G3 I-10 AR=30\n"), {90, 100, 0}, 10 * kPi / 6, {90 + c, 100 + s, 0});
@@ -73,14 +73,14 @@ TEST(Arcs, ByAngleWithCentreOrEnd) {
     expect_arc(run(start + "G2 X120 AR=180\n"), {110, 100, 0}, 10 * kPi, {120, 100, 0});
 }
 
-TEST(Arcs, FullCircles) {
+TEST(Arcs, FullCircleReturnsToStart) {
     expect_arc(run("F1000 G0 X100 Y100\nG2 I10\n"), {110, 100, 0}, 20 * kPi, {100, 100, 0});
     expect_arc(run("F1000 G0 X100 Y100\nG3 X100 Y100 I0 J-10\n"), {100, 90, 0}, 20 * kPi, {100, 100, 0});
     expect_arc(run("F1000 G0 X100 Y100\nG3 I-10 AR=360\n"), {90, 100, 0}, 20 * kPi, {100, 100, 0});
     EXPECT_EQ(run("F1000 G0 X100 Y100\nG2 I10\n").moves.back().info.turns, 1);
 }
 
-TEST(Arcs, AHelixIsLongerThanItsCircle) {
+TEST(Arcs, HelixLengthIncludesHeight) {
     const double length = std::hypot(20 * kPi, 30);
     expect_arc(run("F1000 G0 X100 Y100 Z5\nG3 Z35 I-10\n"), {90, 100, 5}, length, {100, 100, 35});
     const Outcome r = run("F1000 G0 X100 Y100 Z5\nG3 Z35 I-10\n");
@@ -89,13 +89,13 @@ TEST(Arcs, AHelixIsLongerThanItsCircle) {
     EXPECT_NEAR(helix.position_at(helix.duration_s / 2)[2], 20, 1e-6);
 }
 
-TEST(Arcs, InInchesAndIncrements) {
+TEST(Arcs, AcceptInchesAndIncrements) {
     expect_arc(run("G20 F40 G0 X4 Y4\nG91 G3 X-1 Y1 I-1\n"), {76.2, 101.6, 0}, 25.4 * kPi / 2,
                {76.2, 127, 0});
     expect_arc(run("G20 F40 G0 X4 Y4\nG3 X3 Y5 R1\n"), {76.2, 101.6, 0}, 25.4 * kPi / 2, {76.2, 127, 0});
 }
 
-TEST(Arcs, TheCentreCountsFromTheStartInEveryFrame) {
+TEST(Arcs, CentreIsRelativeToStartInEachFrame) {
     Conditions setup;
     setup.options.data.offsets["54"] = {{'X', 50}, {'Y', 60}};
     expect_arc(run("F1000 G0 X50 Y40\nG3 X40 Y50 I-10\n", setup), {90, 100, 0}, 5 * kPi, {90, 110, 0});
@@ -107,7 +107,7 @@ TEST(Arcs, AreModal) {
                {80, 100, 0});
 }
 
-TEST(Arcs, StayModalWhenThePathIsShapedAndNoMore) {
+TEST(Arcs, StayModalAcrossPolarModeAndCycle) {
     expect_arc(run("F1000 G0 X100 Y100\nG3 X90 Y110 I-10\nG16\nG15\nX80 Y100 J-10\n"), {90, 100, 0}, 5 * kPi,
                {80, 100, 0});
     expect_arc(run("F1000 G0 X100 Y0\nG16\nG3 X100 Y90 I-100\n"), {0, 0, 0}, 50 * kPi, {0, 100, 0});
@@ -116,7 +116,7 @@ TEST(Arcs, StayModalWhenThePathIsShapedAndNoMore) {
                {90, 100, 100}, 15 * kPi, {80, 100, 100});
 }
 
-TEST(Arcs, SayTheSameInLuaAndInTheCore) {
+TEST(Arcs, ReportSameErrorsInLuaAndCore) {
     for (const std::string shape : {"", "G16\n"}) {
         const std::string start = "F1000 G0 X100 Y0\n" + shape;
         const std::uint32_t line = shape.empty() ? 2 : 3;
@@ -128,7 +128,7 @@ TEST(Arcs, SayTheSameInLuaAndInTheCore) {
     }
 }
 
-TEST(Arcs, ThroughAPoint) {
+TEST(Arcs, PassThroughIntermediatePoint) {
     // (100,100) -> (110,110) -> (120,100) is half a circle about (110,100).
     expect_arc(run("F1000 G0 X100 Y100\nCIP X120 Y100 I1=110 J1=110\n"), {110, 100, 0}, 10 * kPi,
                {120, 100, 0});
@@ -141,30 +141,30 @@ TEST(Arcs, ThroughAPoint) {
     expect_arc(r, {110, 100, 100}, 10 * kPi, {120, 100, 100});
 }
 
-TEST(Arcs, ThroughAPointInTheMachineFrame) {
+TEST(Arcs, PassThroughPointInMachineFrame) {
     Conditions setup;
     setup.options.data.offsets["54"] = {{'X', 50}};
     expect_arc(run("F1000 G53 G0 X100 Y100\nG53 CIP X120 Y100 I1=110 J1=110\n", setup), {110, 100, 0},
                10 * kPi, {120, 100, 0});
 }
 
-TEST(Arcs, ThroughAPointOnTheChordIsNoCircle) {
+TEST(Arcs, RejectsIntermediatePointOnChord) {
     const Outcome r = run("F1000 G0 X100 Y100\nCIP X120 Y100 I1=110 J1=100\n");
     EXPECT_EQ(r.report.status, simulation::RunStatus::alarm);
     EXPECT_EQ(r.line(), 2U);
 }
 
-TEST(Arcs, ImpossibleArcsSayBothRadii) {
+TEST(Arcs, ReportBothRadiiOfImpossibleArc) {
     expect_alarm(run("F1000 G0 X100 Y100\nG2 X130 I10\n"), 2, {"10.000000 mm", "20.000000 mm"});
     expect_alarm(run("F1000 G0 X100 Y100\nG2 X130 R10\n"), 2, {"10.000000 mm", "15.000000 mm"});
     expect_alarm(run("F1000 G0 X100 Y100\nG2 X100.02 I0 J0\n"), 2, {"no radius"});
 }
 
-TEST(Arcs, RadiiThatDisagreeWithinTheToleranceStillEndWhereProgrammed) {
+TEST(Arcs, RadiusErrorWithinToleranceKeepsProgrammedEnd) {
     expect_end(run("F1000 G0 X100 Y100\nG3 X90 Y110.03 I-10\n"), 90, 110.03, 0);
 }
 
-TEST(Arcs, WordsThatContradict) {
+TEST(Arcs, RejectsContradictoryWords) {
     const std::string start = "F1000 G0 X100 Y100\n";
     expect_alarm(run(start + "G2 X120 I10 R10\n"), 2, {"not by both"});
     expect_alarm(run(start + "G2 X120 K10\n"), 2,

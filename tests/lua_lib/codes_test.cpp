@@ -15,7 +15,7 @@
 namespace gsim::script::codes_test {
 namespace {
 
-TEST(Codes, EachSupportedOneIsAFunctionOfTheLibrary) {
+TEST(Codes, SupportedCodesAreLibraryFunctions) {
     std::string script = "local missing = ''\n";
     int count = 0;
     for (const grammar::Code& code : grammar::dialect_ab9().codes()) {
@@ -31,7 +31,7 @@ TEST(Codes, EachSupportedOneIsAFunctionOfTheLibrary) {
 }
 
 // A code that is recognised but comes later must not be ignored in silence.
-TEST(Codes, OthersAreRefusedWithTheirLine) {
+TEST(Codes, RejectsUnsupportedCodesWithLine) {
     for (const grammar::Code& code : grammar::dialect_ab9().codes()) {
         if (code.support != grammar::Support::planned) continue;
         const std::string text = diagnostics_text("G0 X1\n" + grammar::code_name(code) + "\n");
@@ -40,7 +40,7 @@ TEST(Codes, OthersAreRefusedWithTheirLine) {
     }
 }
 
-TEST(Codes, OneForOneTheyRunWhereTheyNeedNothing) {
+TEST(Codes, CodesWithoutRequiredWordsRunAlone) {
     for (const char* code :
          {"G9",   "G15", "G16", "G17", "G18", "G19", "G20",   "G21",   "G23",   "G40",   "G49",
           "G54",  "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G505",  "G577",
@@ -55,7 +55,7 @@ TEST(Codes, OneForOneTheyRunWhereTheyNeedNothing) {
 }
 
 // Each alarm of the library has a code that other programs know: alarm("word-value", "F is ...").
-TEST(Codes, EachAlarmHasTheCodeOfADiagnostic) {
+TEST(Codes, EachAlarmHasDiagnosticCode) {
     std::size_t alarms = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(tests::source_path("lua_lib"))) {
         if (entry.path().extension() != ".lua") continue;

@@ -50,14 +50,14 @@ std::string ways(const Outcome& run, char first = 'X', char second = 'Y') {
 
 const std::string kStart = "G21 F1000\nG0 X0 Y0 Z5\n";
 
-TEST(NgcCompensation, EntersBesideTheEndOfTheFirstMoveAndLeavesToTheProgrammedPoint) {
+TEST(NgcCompensation, EntersNextToFirstEndAndLeavesToProgrammedPoint) {
     EXPECT_EQ(ways(run_ngc(kStart + "G41.1 D4\nG1 X10\nX30\nG40\nG1 X40\n")),
               "r 0 0, f 10 2, f 30 2, f 40 0");
     EXPECT_EQ(ways(run_ngc(kStart + "G42.1 D4\nG1 X10\nX30\nG40\nG1 X40\n")),
               "r 0 0, f 10 -2, f 30 -2, f 40 0");
 }
 
-TEST(NgcCompensation, TakesTheRadiusFromTheToolOfDOrFromTheOneInTheSpindle) {
+TEST(NgcCompensation, UsesRadiusOfToolDOrLoadedTool) {
     EXPECT_EQ(ways(run_ngc(kStart + "G41 D2\nG1 X10\nX30\n")), "r 0 0, f 10 2, f 30 2");
     EXPECT_EQ(ways(run_ngc(kStart + "T1 M6\nG41\nG1 X10\nX30\n")), "r 0 0, f 10 3, f 30 3");
     EXPECT_EQ(ways(run_ngc(kStart + "G41\nG1 X10\nX30\n")), "r 0 0, f 10 0, f 30 0");
@@ -65,11 +65,11 @@ TEST(NgcCompensation, TakesTheRadiusFromTheToolOfDOrFromTheOneInTheSpindle) {
     expect_alarm(run_ngc(kStart + "G41 D1.5\n"), 3, {"[compensation]", "G41: D", "integer", "1.5"});
 }
 
-TEST(NgcCompensation, ANegativeDiameterSwapsTheSides) {
+TEST(NgcCompensation, NegativeDiameterSwapsSides) {
     EXPECT_EQ(ways(run_ngc(kStart + "G41.1 D-4\nG1 X10\nX30\n")), "r 0 0, f 10 -2, f 30 -2");
 }
 
-TEST(NgcCompensation, GoesAroundOutsideCornersOnAnArc) {
+TEST(NgcCompensation, RoundsOutsideCornerByArc) {
     const Outcome r = run_ngc(kStart + "G41.1 D4\nG1 X10\nX30\nY-20\n");
     EXPECT_EQ(ways(r), "r 0 0, f 10 2, f 30 2, cw 32 0, f 32 -20");
     EXPECT_NEAR(r.moves.at(3).arc->center[0], 30, 1e-9);
@@ -77,7 +77,7 @@ TEST(NgcCompensation, GoesAroundOutsideCornersOnAnArc) {
     EXPECT_EQ(r.moves.at(3).info.location.line, 6U);
 }
 
-TEST(NgcCompensation, CutsBackTheMoveBeforeAnInsideCorner) {
+TEST(NgcCompensation, ShortensMoveBeforeInsideCorner) {
     EXPECT_EQ(ways(run_ngc(kStart + "G41.1 D4\nG1 X10\nX30\nY20\n")), "r 0 0, f 10 2, f 28 2, f 28 20");
     // Into and out of an arc of radius 10 about (30, 10) with the tool inside, radius 8: the paths meet
     // tangentially.
@@ -85,7 +85,7 @@ TEST(NgcCompensation, CutsBackTheMoveBeforeAnInsideCorner) {
               "r 0 0, f 10 2, f 30 2, ccw 38 10, f 38 30");
 }
 
-TEST(NgcCompensation, MovesOutsideThePlaneKeepTheirPlaceInTheOrder) {
+TEST(NgcCompensation, MovesOutsidePlaneKeepTheirOrder) {
     const Outcome r = run_ngc(kStart + "G41.1 D4\nG1 X10\nX30\nZ-5\nM8\nY20\n");
     EXPECT_EQ(ways(r), "r 0 0, f 10 2, f 28 2, f 28 2, f 28 20");
     EXPECT_EQ(r.to(2, 'Z'), 5);
@@ -94,7 +94,7 @@ TEST(NgcCompensation, MovesOutsideThePlaneKeepTheirPlaceInTheOrder) {
 }
 
 // LinuxCNC has forgotten there that the tool came on an arc; the numbers are LinuxCNC's.
-TEST(NgcCompensation, BehindAStopAMoveBesideThePlaneHidesTheArcBeforeIt) {
+TEST(NgcCompensation, MoveOutsidePlaneAfterStopHidesPreviousArc) {
     const Outcome r = run_ngc(
         "G21 F384.1\nG0 X0 Y0\nG41.1 D3.175\nG1 X24.42 Y7.5\nG91\nG2 X19.8534 Y44.0310 R91.770\nM0\n"
         "G1 Z-2.420\nG1 X-33.0005 Y14.8798\nG90\nG40\nG1 X-70 Y70\nM2\n");
@@ -102,7 +102,7 @@ TEST(NgcCompensation, BehindAStopAMoveBesideThePlaneHidesTheArcBeforeIt) {
               "f 23.0129 8.7285, cw 43.0489 52.5414, f 41.7261 50.9382, f 10.6204 64.9636, f -70 70");
 }
 
-TEST(NgcCompensation, TheEntryMayBeAnArcThatStaysTangentAtItsEnd) {
+TEST(NgcCompensation, EntryArcStaysTangentAtItsEnd) {
     const Outcome r = run_ngc(kStart + "G41.1 D2\nG3 X10 Y10 J10\nG1 Y30\n");
     EXPECT_EQ(ways(r), "r 0 0, ccw 9 10, f 9 30");
     const double centre = 9 - (81.0 + 100.0) / 18;  // as far from (0, 0) as from (9, 10), at Y10
@@ -110,7 +110,7 @@ TEST(NgcCompensation, TheEntryMayBeAnArcThatStaysTangentAtItsEnd) {
     EXPECT_NEAR(r.moves.at(1).arc->center[1], 10, 1e-9);
 }
 
-TEST(NgcCompensation, WorksInThePlaneOfALathe) {
+TEST(NgcCompensation, WorksInLathePlane) {
     // Plane ZX: to the left of the path along +Z is +X.
     EXPECT_EQ(ways(run_ngc("G21 F1000 G18\nG0 X0 Z0 Y5\nG41.1 D4\nG1 Z10\nZ30\nX20\n"), 'Z', 'X'),
               "r 0 0, f 10 2, f 28 2, f 28 20");
@@ -121,14 +121,14 @@ TEST(NgcCompensation, WorksInThePlaneOfALathe) {
     expect_alarm(run_ngc("G41.1 D4 L2\n"), 1, {"G18"});
 }
 
-TEST(NgcCompensation, InverseTimeIsASpeedOnTheProgrammedWay) {
+TEST(NgcCompensation, InverseTimeSetsSpeedOnProgrammedPath) {
     const Outcome r = run_ngc(kStart + "G41.1 D4\nG93 G1 X10 F2\nX30 F2\nY20 F3\n");
     EXPECT_NEAR(r.moves.at(1).info.feed_per_min, 20, 1e-9);
     EXPECT_NEAR(r.moves.at(2).info.feed_per_min, 40, 1e-9);
     EXPECT_NEAR(r.moves.at(3).info.feed_per_min, 60, 1e-9);
 }
 
-TEST(NgcCompensation, RefusesWhatTheToolCannotDo) {
+TEST(NgcCompensation, RejectsImpossibleToolPath) {
     const std::string on = kStart + "G41.1 D4\n";
     expect_alarm(run_ngc(on + "G1 X2\n"), 4, {"entry move", "length of 2 mm"});
     expect_alarm(run_ngc(on + "G1 Z-1\n"), 4, {"entry move", "length of 0 mm"});
@@ -139,7 +139,7 @@ TEST(NgcCompensation, RefusesWhatTheToolCannotDo) {
     expect_alarm(run_ngc(on + "G1 X10\nX30\nG40\nG2 X40 Y10 I10\n"), 7, {"straight"});
 }
 
-TEST(NgcCompensation, RefusesWordsThatLeaveThePath) {
+TEST(NgcCompensation, RejectsWordsLeavingPath) {
     const std::string on = kStart + "G41.1 D4\nG1 X10\n";
     for (const char* word :
          {"G28", "G53 G0 X0", "G18", "G55", "G92 X0", "G41.1 D2", "G81 Z-1 R1", "M6", "G49"}) {
@@ -154,7 +154,7 @@ TEST(NgcCompensation, RefusesWordsThatLeaveThePath) {
 
 const std::string kLeft = "F1000 G0 X-20 Y-20\nG41 D1 G1 X0 Y0\n";
 
-TEST(Ab9Compensation, EntersBesideTheStartOfTheSecondMoveAndLeavesFromTheEndOfTheLast) {
+TEST(Ab9Compensation, EntersNextToSecondStartAndLeavesFromLastEnd) {
     EXPECT_EQ(ways(run_ab9(kLeft + "X50\nG40 X60 Y10\n")), "r -20 -20, f 0 2, f 50 2, f 60 10");
     EXPECT_EQ(ways(run_ab9("F1000 G0 X-20\nD1\nG42\nM8\nG1 X0\nX50\nG40\nX60 Y10\n")),
               "r -20 0, f 0 -2, f 50 -2, f 60 10");
@@ -163,13 +163,13 @@ TEST(Ab9Compensation, EntersBesideTheStartOfTheSecondMoveAndLeavesFromTheEndOfTh
     expect_alarm(run_ab9(kLeft + "X50\nG40 G2 X60 Y10 J10\n"), 4, {"straight"});
 }
 
-TEST(Ab9Compensation, NeedsTheNumberOfATool) {
+TEST(Ab9Compensation, RequiresToolNumber) {
     expect_alarm(run_ab9("F1000 G0 X-20\nG41\nG1 X0\n"), 3, {"D"});
     expect_alarm(run_ab9("F1000 G0 X-20\nG41 D9 G1 X0\n"), 2, {"D9"});
     EXPECT_EQ(ways(run_ab9("F1000 G0 X-20\nG41 D0 G1 X0\nX50\n")), "r -20 0, f 0 0, f 50 0");
 }
 
-TEST(Ab9Compensation, TheWaysOfTheToolMeetAtOutsideCornersUpToARightAngle) {
+TEST(Ab9Compensation, PathsIntersectAtOutsideCornersUpToRightAngle) {
     EXPECT_EQ(ways(run_ab9(kLeft + "X50\nY-50\nG40 X60\n")), "r -20 -20, f 0 2, f 52 2, f 52 -50, f 60 -50");
     const double c = 2 * std::tan(kPi / 8);
     const Outcome r = run_ab9(kLeft + "X50\nX80 Y-30\nG40 X90\n");
@@ -177,7 +177,7 @@ TEST(Ab9Compensation, TheWaysOfTheToolMeetAtOutsideCornersUpToARightAngle) {
     EXPECT_NEAR(r.to(2, 'Y'), 2, 1e-9);
 }
 
-TEST(Ab9Compensation, SharpOutsideCornersGetAStraightBlockOrAnArc) {
+TEST(Ab9Compensation, SharpOutsideCornerGetsLineOrArc) {
     // The path turns back by 180 degrees.
     EXPECT_EQ(ways(run_ab9(kLeft + "X50\nX0\nG40 X-10\n")),
               "r -20 -20, f 0 2, f 52 2, f 52 -2, f 0 -2, f -10 0");
@@ -186,31 +186,31 @@ TEST(Ab9Compensation, SharpOutsideCornersGetAStraightBlockOrAnArc) {
     EXPECT_NEAR(r.moves.at(3).length_mm, 2 * kPi, 1e-9);
 }
 
-TEST(Ab9Compensation, InsideCornersAreWhereTheWaysCross) {
+TEST(Ab9Compensation, InsideCornerIsPathIntersection) {
     EXPECT_EQ(ways(run_ab9(kLeft + "X50\nY50\nG40 X40\n")), "r -20 -20, f 0 2, f 48 2, f 48 50, f 40 50");
     expect_alarm(run_ab9(kLeft + "X50\nY1\nX0\n"), 5, {"backwards"});
     expect_alarm(run_ab9(kLeft + "X50\nG3 Y2 J1\n"), 4, {"radius 1 mm", "larger than the tool"});
 }
 
-TEST(Ab9Compensation, AFullCircleStaysOne) {
+TEST(Ab9Compensation, FullCircleStaysFullCircle) {
     const Outcome r = run_ab9(kLeft + "X50\nG3 J20\nG1 X80\nG40 X90\n");
     EXPECT_EQ(ways(r), "r -20 -20, f 0 2, f 50 2, ccw 50 2, f 80 2, f 90 0");
     EXPECT_NEAR(r.moves.at(3).length_mm, 2 * kPi * 18, 1e-6);
 }
 
-TEST(Ab9Compensation, TheSideMayChangeOnTheWay) {
+TEST(Ab9Compensation, AcceptsSideChangeWhileActive) {
     EXPECT_EQ(ways(run_ab9(kLeft + "X50\nG42 X80\nG40 X90\n")),
               "r -20 -20, f 0 2, f 50 2, f 50 -2, f 80 -2, f 90 0");
 }
 
-TEST(Ab9Compensation, TheRadiusMayChangeOnTheWay) {
+TEST(Ab9Compensation, AcceptsRadiusChangeWhileActive) {
     EXPECT_EQ(ways(run_ab9(kLeft + "X50\nD2 X80\nX99\nG40 X110\n")),
               "r -20 -20, f 0 2, f 50 2, f 80 5, f 99 5, f 110 0");
     EXPECT_EQ(ways(run_ab9(kLeft + "X50\nD2 G2 X70 Y-20 J-20\nG40 G1 Y-40\n")),
               "r -20 -20, f 0 2, f 50 2, f 50 5, cw 75 -20, f 70 -40");
 }
 
-TEST(Ab9Compensation, LooksPastWhatIsNoMoveInThePlane) {
+TEST(Ab9Compensation, LooksAheadPastBlocksWithoutPlaneMove) {
     const Outcome r = run_ab9(kLeft + "X50\nZ-5\nM8\nG4 P0.1\nY50\nG40 X40\n");
     EXPECT_EQ(r.to(2, 'X'), 48);
     EXPECT_EQ(r.to(3, 'X'), 48);
@@ -222,12 +222,12 @@ TEST(Ab9Compensation, LooksPastWhatIsNoMoveInThePlane) {
     EXPECT_FALSE(too_far.report.messages.warnings.empty());
 }
 
-TEST(Ab9Compensation, AMirrorImageSwapsTheSides) {
+TEST(Ab9Compensation, MirrorImageSwapsSides) {
     EXPECT_EQ(ways(run_ab9("F1000\nG51.1 X0\nG0 X20\nG42 D1 G1 X0\nX-10\nY10\nG40 X20\n")),
               "r -20 0, f 0 2, f 8 2, f 8 10, f -20 10");
 }
 
-TEST(Ab9Compensation, AChangeOfCoordinatesLeadsOutAndInAgain) {
+TEST(Ab9Compensation, CoordinateChangeLeadsOutAndInAgain) {
     EXPECT_EQ(ways(run_ab9(kLeft + "X50\nX60\nG92 X0 Y0\nG1 X10\nX30\nG40 X40\n")),
               "r -20 -20, f 0 2, f 50 2, f 60 0, f 70 2, f 90 2, f 100 0");
     expect_alarm(run_ab9(kLeft + "X50\nG18\n"), 4, {"plane"});
@@ -303,7 +303,7 @@ std::string words(const PathElement& path_element) {
                        path_element.centre[1] - path_element.from[1]);
 }
 
-TEST(Ab9Compensation, KeepsItsDistanceFromRandomPaths) {
+TEST(Ab9Compensation, KeepsToolRadiusFromRandomPaths) {
     int completed = 0;
     for (unsigned seed = 1; seed <= 150; ++seed) {
         std::mt19937 random(seed);

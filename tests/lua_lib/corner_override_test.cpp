@@ -47,7 +47,7 @@ const std::string kCorner = kStart + "X50\nY30\n";
 
 constexpr double kFeed_mm_s = 10;
 
-TEST(CornerOverride, LowersTheFeedBeforeAndBehindAnInsideCorner) {
+TEST(CornerOverride, LowersFeedBeforeAndAfterInsideCorner) {
     const Outcome r = run(kG62 + kCorner, conditions());
     ASSERT_EQ(r.moves.size(), 6U) << r.message();
     EXPECT_NEAR(r.to(2, 'X'), 45, 1e-9);
@@ -62,7 +62,7 @@ TEST(CornerOverride, LowersTheFeedBeforeAndBehindAnInsideCorner) {
     EXPECT_TRUE(r.report.messages.warnings.empty());
 }
 
-TEST(CornerOverride, IsSwitchedOffByTheOtherPathModes) {
+TEST(CornerOverride, IsSwitchedOffByOtherPathModes) {
     const double total_s = (38 + 28) / kFeed_mm_s;
     const double longer_s = total_s + 8 / kFeed_mm_s;
     EXPECT_NEAR(cut_s(run(kG62 + kCorner, conditions())), longer_s, 1e-9);
@@ -73,7 +73,7 @@ TEST(CornerOverride, IsSwitchedOffByTheOtherPathModes) {
     EXPECT_NEAR(cut_s(run(kStart + "X50\nG62 Y30\n", conditions())), total_s + 5 / kFeed_mm_s, 1e-9);
 }
 
-TEST(CornerOverride, ConcernsInsideCornersOfCompensationOnly) {
+TEST(CornerOverride, AppliesOnlyToInsideCornersOfCompensation) {
     const auto moves = [](const std::string& gcode) { return run(gcode, conditions()).moves.size(); };
     EXPECT_EQ(moves("G62\nF600 G1 X10\nX50\nY30\n"), 3U);                            // no compensation
     EXPECT_EQ(moves(kG62 + kStart + "X50\nY-30\n"), moves(kStart + "X50\nY-30\n"));  // outside
@@ -82,14 +82,14 @@ TEST(CornerOverride, ConcernsInsideCornersOfCompensationOnly) {
     EXPECT_EQ(moves(kG62 + kStart + "G0 X50\nG1 Y30\n"), 5U);  // a rapid before the corner
 }
 
-TEST(CornerOverride, ConcernsSharpCornersOnly) {
+TEST(CornerOverride, AppliesOnlyToSharpCorners) {
     const std::string blunt = kG62 + kStart + "X50\nX80 Y30\n";  // 135 degrees
     EXPECT_EQ(run(blunt, conditions(50, 3, 5, 134.9)).moves.size(), 4U);
     EXPECT_EQ(run(blunt, conditions(50, 3, 5, 135.1)).moves.size(), 6U);
     EXPECT_EQ(run(kG62 + kCorner, conditions(50, 3, 5, 89.9)).moves.size(), 4U);
 }
 
-TEST(CornerOverride, AMoveShorterThanItsDistancesIsSlowFromEndToEnd) {
+TEST(CornerOverride, SlowsShortMoveOverFullLength) {
     // From (48, 2) up to (48, 8), then back to the left: 6 mm between two corners.
     const Outcome r = run(kG62 + kStart + "X50\nY10\nX20\n", conditions());
     ASSERT_EQ(r.moves.size(), 7U) << r.message();
@@ -98,7 +98,7 @@ TEST(CornerOverride, AMoveShorterThanItsDistancesIsSlowFromEndToEnd) {
     EXPECT_NEAR(cut_s(r), (38 + 6 + 28) / kFeed_mm_s + (3 + 6 + 5) / kFeed_mm_s, 1e-9);
 }
 
-TEST(CornerOverride, FollowsAnArcFromTheCorner) {
+TEST(CornerOverride, SlowsArcAfterCorner) {
     // At (30, 0) a line that runs west meets a half circle that begins to the south: the tool runs inside of
     // it, on a radius of 8 mm.
     const Outcome r = run("G62\nG0 X70 Y0\nF600 D1 G41\nG1 X60\nX30\nG3 X50 I10 J0\n", conditions(25, 0, 4));
@@ -114,7 +114,7 @@ TEST(CornerOverride, FollowsAnArcFromTheCorner) {
     EXPECT_NEAR(r.to(4, 'Y'), 0, 1e-6);
 }
 
-TEST(CornerOverride, OtherAxesGoInProportion) {
+TEST(CornerOverride, OtherAxesMoveInProportion) {
     const Outcome r = run(kG62 + kStart + "X50 Z-38\nY30 Z-10\n", conditions(50, 3, 5));
     ASSERT_EQ(r.moves.size(), 6U) << r.message();
     const double share = 3 / (38 * std::sqrt(2.0));
@@ -124,7 +124,7 @@ TEST(CornerOverride, OtherAxesGoInProportion) {
     EXPECT_NEAR(r.to(5, 'Z'), -10, 1e-9);
 }
 
-TEST(CornerOverride, SaysWhatIsMissing) {
+TEST(CornerOverride, WarnsIfItHasNoEffect) {
     const auto warning = [](const Conditions& setup) {
         const auto warnings = run("G62\n", setup).report.messages.warnings;
         return warnings.empty() ? "" : warnings.front();

@@ -209,7 +209,7 @@ double distance_mm(const Vector3d& point, const std::vector<Vector3d>& chain) {
 }
 
 /// The driven length is the programmed one, less at most what rounded corners and chords may take.
-TEST_P(DrivenLength, IsTheProgrammedOneLessWhatCornersMayTake) {
+TEST_P(DrivenLength, MatchesProgramExceptForCornersAndChords) {
     Programs programs(11, false);
     for (int i = 0; i < kPrograms; ++i) {
         const Program program = programs.next();
@@ -223,7 +223,7 @@ TEST_P(DrivenLength, IsTheProgrammedOneLessWhatCornersMayTake) {
 
 /// If lines are merged, too, each programmed point is within the tolerances of a driven one. Arcs that are
 /// too large to count as lines are driven with all their turns.
-TEST_P(DrivenLength, MergedLinesLeaveNothingOut) {
+TEST_P(DrivenLength, MergedLinesStayNearEachProgrammedPoint) {
     Programs programs(12, true);
     for (int i = 0; i < kPrograms; ++i) {
         const Program program = programs.next();
@@ -251,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(Models, DrivenLength,
                          });
 
 /// LinuxCNC 2.9 drives it: its recorded runs of such arcs have all turns.
-TEST(DrivenTurns, EvenNumbersOfThemAreNoLine) {
+TEST(MultiTurnArcs, KeepAllTurns) {
     const auto machine = machine::load_machine(
         std::filesystem::path(tests::source_path("samples/machines/linuxcnc-router.toml")));
     for (int turns = 1; turns <= 6; ++turns) {

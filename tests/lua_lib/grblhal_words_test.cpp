@@ -25,7 +25,7 @@ double trapezoid(double length, double speed, double acceleration) {
     return trapezoid_s(length, speed, acceleration);
 }
 
-TEST(GrblHalCycles, PecksWaitAndFeedAllTheWayDownAgain) {
+TEST(GrblHalCycles, PecksDwellAndFeedDownFromR) {
     const Outcome r = run_on("grblhal-router.toml", "G0 Z2\nG99 G83 X0 Y0 Z-6 R2 Q3 F600\nG80");
     ASSERT_TRUE(r.completed()) << r.message();
     // A dwell ends where it begins.
@@ -39,14 +39,14 @@ TEST(GrblHalCycles, PecksWaitAndFeedAllTheWayDownAgain) {
     EXPECT_NEAR(r.seconds(4), trapezoid(6, 10, 1000), 1e-6);  // by feed, from R to the second depth
 }
 
-TEST(GrblHalCycles, BreakChipsByATenthOfAMillimetre) {
+TEST(GrblHalCycles, ChipBreakRetractsTenthOfMillimetre) {
     const Outcome r = run_on("grblhal-router.toml", "G0 Z2\nG99 G73 X0 Y0 Z-6 R2 Q3 F600\nG80");
     ASSERT_TRUE(r.completed()) << r.message();
     ASSERT_GE(r.moves.size(), 4U);
     EXPECT_NEAR(r.to(3, 'Z'), -0.9, kGrid_mm);
 }
 
-TEST(GrblHalCycles, BoringIsReadAndNotMade) {
+TEST(GrblHalCycles, IgnoresBoringWithWarning) {
     const Outcome r = run_on("grblhal-router.toml", "G0 Z5\nM3 S100\nG99 G85 X10 Y10 Z-6 R2 F600\nX30\nG80");
     ASSERT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.moves.size(), 1U);
@@ -54,7 +54,7 @@ TEST(GrblHalCycles, BoringIsReadAndNotMade) {
     EXPECT_NE(r.report.messages.warnings.front().find("G85"), std::string::npos);
 }
 
-TEST(GrblHalSplines, AreChordsWhoseMiddlesAreWithinATenth) {
+TEST(GrblHalSplines, ChordMidpointsStayWithinTenthOfMillimetre) {
     // Control points (0,0), (20,30), (40,0): y = 1.5 x - 0.0375 x^2.
     const Outcome r = run_on("grblhal-router.toml", "G5.1 X40 Y0 I20 J30 F3000");
     ASSERT_TRUE(r.completed()) << r.message();
@@ -72,7 +72,7 @@ TEST(GrblHalSplines, AreChordsWhoseMiddlesAreWithinATenth) {
 }
 
 // X50 A90: 1.8 deg a mm, A 360 deg/s2.
-TEST(GrblHalFeeds, OfRotaryAxesAreTheToolsOrThatOfAllAxes) {
+TEST(GrblHalFeeds, RotaryMoveUsesFeedOfTcpOrAllAxes) {
     const std::string move = "G1 X50 A90 F3000";
     const Outcome of_tool = run_on("grblhal-rotary.toml", move);
     ASSERT_TRUE(of_tool.completed()) << of_tool.message();
@@ -87,7 +87,7 @@ TEST(GrblHalFeeds, OfRotaryAxesAreTheToolsOrThatOfAllAxes) {
 
 // Its planner knows four axes alike: between a turn and a line the junction is one of 90 degrees, as between
 // lines.
-TEST(GrblHalFeeds, CornersOfTurnsAreJunctionsToo) {
+TEST(GrblHalFeeds, LineAndRotaryMoveFormJunction) {
     const Outcome r = run_on("grblhal-rotary.toml", "G1 X20 F3000\nA45");
     ASSERT_TRUE(r.completed()) << r.message();
     // The change of direction is (-1, 1) / sqrt 2: A allows 360 sqrt 2 along it.
@@ -96,7 +96,7 @@ TEST(GrblHalFeeds, CornersOfTurnsAreJunctionsToo) {
     EXPECT_NEAR(r.segments.at(0).master.end_speed(), speed, 1e-6);
 }
 
-TEST(GrblHalStops, AreForSwitchesThatSwitch) {
+TEST(GrblHalStops, OccurOnlyForSynchronizingWords) {
     const auto stops_at = [](const std::string& word) {
         const Outcome r = run_on("grblhal-router.toml", "G1 X40 F3000\n" + word + "\nG1 X80");
         EXPECT_TRUE(r.completed()) << r.message();

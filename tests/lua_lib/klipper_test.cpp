@@ -32,12 +32,12 @@ double run_time_s(const std::string& gcode, const std::string& machine = "router
     return outcome.report.cycle_time_s;
 }
 
-TEST(KlipperMoves, G0IsG1AndKeepsF) {
+TEST(KlipperMoves, G0MovesLikeG1AndKeepsF) {
     EXPECT_NEAR(run_time_s("G1 X100 F6000\nG0 X200\n"), 2.1, kEqualTolerance);
     EXPECT_NEAR(run_time_s("G0 X100\n"), 100.0 / 25 + 25.0 / 1000, kEqualTolerance);  // before any F
 }
 
-TEST(KlipperMoves, StepsAndCoordinates) {
+TEST(KlipperMoves, AcceptIncrementsAndNewCoordinates) {
     const Outcome outcome = klipper("G1 X10 F600\nG91\nG1 X5 Y2\nG90\nG1 Z1\nG92 X0\nG1 X-5\n");
     ASSERT_TRUE(outcome.completed()) << outcome.message();
     EXPECT_NEAR(outcome.to(1, 'X'), 15, kEqualTolerance);
@@ -55,17 +55,17 @@ TEST(KlipperMoves, G4TakesMilliseconds) {
     EXPECT_NEAR(run_time_s("G1 X50 F6000\nG4 S2\nG1 X100\n"), 1.2, kEqualTolerance);
 }
 
-TEST(KlipperMoves, MotorsGoOffWithinTwoTenthsAndNothingMovesBehindThat) {
+TEST(KlipperMoves, MotorsOffTakesTwoTenthsAndRejectsMoves) {
     EXPECT_NEAR(run_time_s("G1 X100 F6000\nM84\nG1 X100\n"), 1.1 + 0.2, kEqualTolerance);
     expect_alarm(klipper("G1 X100 F6000\nM18\nG1 X0\n"), 3, {"homing"});
 }
 
-TEST(KlipperMoves, TheSpeedFactorCountsAtOnceAndForTheF) {
+TEST(KlipperMoves, SpeedFactorAppliesToPreviousAndNextF) {
     EXPECT_NEAR(run_time_s("G1 X0 F6000\nM220 S50\nG1 X100\n"), 100.0 / 50 + 50.0 / 1000, kEqualTolerance);
     EXPECT_NEAR(run_time_s("M220 S50\nG1 X100 F6000\n"), 100.0 / 50 + 50.0 / 1000, kEqualTolerance);
 }
 
-TEST(KlipperLimits, HoldForTheLinesBehindThem) {
+TEST(KlipperLimits, ApplyToFollowingLines) {
     EXPECT_NEAR(run_time_s("M204 S500\nG1 X100 F6000\n"), 1 + 100.0 / 500, kEqualTolerance);
     EXPECT_NEAR(run_time_s("M204 P800 T400\nG1 X100 F6000\n"), 1 + 100.0 / 400, kEqualTolerance);
     EXPECT_NEAR(run_time_s("SET_VELOCITY_LIMIT VELOCITY=50\nG1 X100 F6000\n"), 2.05, kEqualTolerance);
@@ -75,13 +75,13 @@ TEST(KlipperLimits, HoldForTheLinesBehindThem) {
     EXPECT_NEAR(corner.segments.at(0).master.end_speed(), 8, kEqualTolerance);
 }
 
-TEST(KlipperLimits, M204NeedsBothOfPAndT) {
+TEST(KlipperLimits, M204RequiresBothPAndT) {
     const Outcome outcome = klipper("M204 P500\nG1 X100 F6000\n");
     EXPECT_NEAR(outcome.report.cycle_time_s, 1.1, kEqualTolerance);
     EXPECT_EQ(outcome.report.messages.warnings.size(), 1u);
 }
 
-TEST(KlipperArcs, AreChordsOfTheResolution) {
+TEST(KlipperArcs, AreSplitIntoChordsOfResolution) {
     const Outcome outcome = klipper("G1 X10 F6000\nG3 X-10 Y0 I-10 J0\n", "router-arc1");
     ASSERT_TRUE(outcome.completed()) << outcome.message();
     EXPECT_EQ(outcome.moves.size(), 1u + 31u);  // 31.4 mm
@@ -90,14 +90,14 @@ TEST(KlipperArcs, AreChordsOfTheResolution) {
 }
 
 // XZ is counted from X to Z, so that G2 there is G3 of RS274.
-TEST(KlipperArcs, G18TurnsTheOtherWay) {
+TEST(KlipperArcs, G18ReversesDirection) {
     const Outcome outcome = klipper("G18\nG1 X10 F6000\nG2 X0 Z-10 I-10 K0\n", "fast-arc1");
     ASSERT_TRUE(outcome.completed()) << outcome.message();
     EXPECT_EQ(outcome.moves.size(), 1u + 15u);  // a quarter
     EXPECT_LT(outcome.to(1, 'Z'), 0);
 }
 
-TEST(KlipperArcs, WhatKlipperRefusesEndsTheProgram) {
+TEST(KlipperArcs, RejectsUnsupportedArcsUnitsAndFeed) {
     expect_alarm(klipper("G1 X10 F600\nG91\nG2 X5 I2\n"), 3, {"[mode]", "G2", "not support arcs in G91"});
     expect_alarm(klipper("G1 X10 F600\nG2 X5 R5\n"), 2, {"[arc]", "G2", "not support arcs by R"});
     expect_alarm(klipper("G1 X10 F600\nG2 X5\n"), 2, {"I and J"});
@@ -105,19 +105,19 @@ TEST(KlipperArcs, WhatKlipperRefusesEndsTheProgram) {
     expect_alarm(klipper("G1 X5 F0\n"), 1, {"[feed]", "F0", "greater than 0"});
 }
 
-TEST(KlipperArcs, WithoutAResolutionTheyHaveNoEffect) {
+TEST(KlipperArcs, HaveNoEffectWithoutResolution) {
     const Outcome outcome = klipper("G1 X10 F6000\nG3 X-10 I-10\nG1 Y5\n", "fast-noarcs");
     ASSERT_TRUE(outcome.completed()) << outcome.message();
     EXPECT_EQ(outcome.moves.size(), 2u);
     EXPECT_EQ(outcome.report.messages.warnings.size(), 1u);
 }
 
-TEST(KlipperExtruder, EWithoutAnExtruderEndsTheProgram) {
+TEST(KlipperExtruder, RejectsEWithoutExtruder) {
     expect_alarm(klipper("G1 X10 E1 F600\n"), 1, {"no extruder"});
     EXPECT_TRUE(klipper("G1 X10 E0 F600\n").completed());
 }
 
-TEST(KlipperExtruder, EIsAbsoluteOrAStep) {
+TEST(KlipperExtruder, AcceptsAbsoluteAndIncrementalE) {
     const Outcome steps = klipper("M83\nG1 X10 E1 F600\nG1 X20 E1\n", "fast-ext");
     ASSERT_TRUE(steps.completed()) << steps.message();
     EXPECT_NEAR(steps.to(1, 'E'), 2, kEqualTolerance);
@@ -127,14 +127,14 @@ TEST(KlipperExtruder, EIsAbsoluteOrAStep) {
     EXPECT_NEAR(absolute.to(2, 'E'), 2.5, kEqualTolerance);
 }
 
-TEST(KlipperExtruder, AMoveOfItDoesNotMoveTheTool) {
+TEST(KlipperExtruder, MoveOfEAloneUsesExtruderAcceleration) {
     const Outcome outcome = klipper("G1 E20 F600\n", "fast-ext");
     ASSERT_TRUE(outcome.completed()) << outcome.message();
     EXPECT_NEAR(outcome.report.cycle_time_s, 20.0 / 10 + 10 / outcome.machine.axes[3].max_acceleration,
                 kEqualTolerance);
 }
 
-TEST(KlipperRetraction, DrawsBackOnceAndPushesWhatItDrew) {
+TEST(KlipperRetraction, RetractsOnceAndUnretractsSameLength) {
     const Outcome outcome = klipper("G11\nG1 X10 E1 F600\nG10\nG10\nG1 X20\nG11\nG1 X30 E2\n", "fast-ext-fw");
     ASSERT_TRUE(outcome.completed()) << outcome.message();
     ASSERT_EQ(outcome.moves.size(), 5u);
@@ -145,7 +145,7 @@ TEST(KlipperRetraction, DrawsBackOnceAndPushesWhatItDrew) {
     EXPECT_NEAR(outcome.seconds(1), trapezoid_s(0.8, std::min(35.0, std::sqrt(0.8 * a)), a), 0.02);
 }
 
-TEST(KlipperStates, AreKeptAndTakenUpAgain) {
+TEST(KlipperStates, AreSavedAndRestored) {
     const Outcome outcome = klipper(
         "G1 X10 F600\nSAVE_GCODE_STATE NAME=a\nG91\nG92 X0\nG1 X5 F6000\n"
         "RESTORE_GCODE_STATE NAME=a MOVE=1 MOVE_SPEED=50\nG1 X20\n");
@@ -158,7 +158,7 @@ TEST(KlipperStates, AreKeptAndTakenUpAgain) {
                  {"[mode]", "RESTORE_GCODE_STATE", "unknown state 'b'"});
 }
 
-TEST(KlipperStates, AnOffsetMovesTheCoordinatesAndTheToolIfAsked) {
+TEST(KlipperStates, OffsetShiftsCoordinatesAndMovesToolIfRequested) {
     const Outcome outcome = klipper(
         "G1 X10 F600\nSET_GCODE_OFFSET X=2\nG1 X10\nSET_GCODE_OFFSET X_ADJUST=1 Z=1 MOVE=1\nG1 X0 Z0\n");
     ASSERT_TRUE(outcome.completed()) << outcome.message();
@@ -170,7 +170,7 @@ TEST(KlipperStates, AnOffsetMovesTheCoordinatesAndTheToolIfAsked) {
 }
 
 // M2 and similar words have no effect: the file continues.
-TEST(KlipperWords, WhatItDoesNotKnowHasNoEffect) {
+TEST(KlipperWords, IgnoresUnknownWords) {
     EXPECT_NEAR(run_time_s("G1 X50 F6000\nM2\nM3 S1000\nT1\nG54\nX70\nG1 X100\n"), 1.1, kEqualTolerance);
 }
 

@@ -46,7 +46,7 @@ class LibraryFiles : public LibraryFolder {
 
 // --- What is refused when the library is loaded ---
 
-TEST_F(LibraryFiles, AWordIsSaidOnce) {
+TEST_F(LibraryFiles, RejectsDuplicateWord) {
     EXPECT_EQ(
         trouble_of("mine", "use(\"core/words\", \"word\")(\"G4\", function() end)\nuse \"common/feed\"\n"),
         "the Lua library cannot be loaded: 'G4' is defined twice, in lua_lib/mine.lua and in "
@@ -56,7 +56,7 @@ TEST_F(LibraryFiles, AWordIsSaidOnce) {
               "and in lua_lib/mine.lua");
 }
 
-TEST_F(LibraryFiles, NoFileSharesANameWithAll) {
+TEST_F(LibraryFiles, RejectsGlobalAndUndefinedNames) {
     EXPECT_EQ(trouble_of("mine", "\nhelper = 5\n"),
               "the Lua library cannot be loaded: lua_lib/mine.lua:2: 'helper' would be global for all files "
               "of the library; return it, or make it local");
@@ -67,14 +67,14 @@ TEST_F(LibraryFiles, NoFileSharesANameWithAll) {
               "'helper'");
 }
 
-TEST_F(LibraryFiles, WhatWouldNeedItselfIsSaid) {
+TEST_F(LibraryFiles, RejectsCircularDependency) {
     write("theirs.lua", "use \"mine\"\n");
     EXPECT_EQ(trouble_of("mine", "use \"theirs\"\n"),
               "the Lua library cannot be loaded: circular dependency of library files: mine needs theirs "
               "needs mine");
 }
 
-TEST_F(LibraryFiles, EachHookHasAPlaceInTheOrder) {
+TEST_F(LibraryFiles, RejectsHookWithoutOrder) {
     EXPECT_EQ(
         trouble_of("mine", "use(\"core/words\", \"before\")(\"G4\", \"coffee\", function() end)\n"),
         "the Lua library cannot be loaded: hook 'coffee' is not in the order of lua_lib/core/hooks.lua");
@@ -82,7 +82,7 @@ TEST_F(LibraryFiles, EachHookHasAPlaceInTheOrder) {
               "the Lua library cannot be loaded: hook 'tea' is not in the order of lua_lib/core/hooks.lua");
 }
 
-TEST_F(LibraryFiles, HooksActInTheirOrderWhereverTheyAreSaid) {
+TEST_F(LibraryFiles, HooksRunInDefinedOrder) {
     const std::string text =
         "local path, words = use \"core/path\", use \"core/words\"\n"
         "words.after(\"M5\", \"times\", function() path.event(\"third\") end)\n"
@@ -93,7 +93,7 @@ TEST_F(LibraryFiles, HooksActInTheirOrderWhereverTheyAreSaid) {
     EXPECT_EQ(run_here("M3() M5()").events(), "spindle_cw before spindle_off first M5 third");
 }
 
-TEST_F(LibraryFiles, AFileOfTheUsersDefinesACode) {
+TEST_F(LibraryFiles, UserFileDefinesCode) {
     EXPECT_EQ(trouble_of("mine", "use(\"common/user_codes\")[101] = function(words) env.G0{x=words.p} end\n"),
               "none");
     EXPECT_EQ(trouble_of("other",
@@ -102,7 +102,7 @@ TEST_F(LibraryFiles, AFileOfTheUsersDefinesACode) {
     expect_end(run_here("M[101]{p=7}"), 7, 5, 0);
 }
 
-TEST_F(LibraryFiles, AFileMayCountTheWordsOfAnAxis) {
+TEST_F(LibraryFiles, FileScalesWordsOfAxis) {
     EXPECT_EQ(
         trouble_of(
             "mine",
@@ -190,7 +190,7 @@ std::string library_report(const Program& program, const Library& library) {
 
 class LibraryOrder : public LibraryFiles, public testing::WithParamInterface<const char*> {};
 
-TEST_P(LibraryOrder, DoesNotMatter) {
+TEST_P(LibraryOrder, DoesNotAffectResult) {
     const std::string dialect = GetParam();
     std::vector<std::pair<Program, std::string>> expected_value;
     for (const Program& program : programs()) {

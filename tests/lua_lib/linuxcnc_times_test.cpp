@@ -21,7 +21,7 @@ struct Recorded {
 
 class LinuxcncTimes : public testing::TestWithParam<Recorded> {};
 
-TEST_P(LinuxcncTimes, AreThoseRecorded) {
+TEST_P(LinuxcncTimes, MatchRecordedTimes) {
     Conditions setup = ngc_conditions();
     setup.machine = machine::load_machine(
                         std::filesystem::path(tests::source_path("samples/machines/linuxcnc-router.toml")))
@@ -85,7 +85,7 @@ double feed_mm(const std::string& feed) {
 
 /// The speed that the spindle will require is not known, so that corners are rounded for the limits of the
 /// machine.
-TEST(LinuxcncSpindleFeed, RoundsCornersAsForTheTopSpeed) {
+TEST(LinuxcncSpindleFeed, RoundsCornersForMaxSpeed) {
     const double over_time = feed_mm("G94 F300\n");
     const double by_turns = feed_mm("G95 F0.3\n");
     // At 5 mm/s an arc of less than 0.1 mm is wide enough; each one shortens the path by (2 - pi/2) of its

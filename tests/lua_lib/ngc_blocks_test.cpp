@@ -19,7 +19,7 @@ double last_y(const Outcome& run) {
     return run.moves.empty() ? -1 : run.to(run.moves.size() - 1, 'Y');
 }
 
-TEST(NgcBlockValues, AreThoseBeforeTheBlock) {
+TEST(NgcBlockValues, ReadStateBeforeBlock) {
     EXPECT_NEAR(last_y(run_ngc("G21 G0 X10\nG20 G0 Y#5420\nM2\n")), 254, 1e-9) << "10, then in inches";
     EXPECT_NEAR(last_x(run_ngc("G21 G0 X10\nG91 X[10*#<_absolute>]\nM2\n")), 20, 1e-9);
     EXPECT_NEAR(last_x(run_ngc("G21 F20\nG0 X1\nF50 G1 X#<_feed>\nM2\n")), 20, 1e-9);
@@ -29,7 +29,7 @@ TEST(NgcBlockValues, AreThoseBeforeTheBlock) {
 }
 
 /// A block sets its parameters before it acts: a call, an alarm or the end of the program finds them set.
-TEST(NgcBlockValues, SettingsAreMadeBeforeItsCodesAct) {
+TEST(NgcBlockValues, ParametersAreSetBeforeCodesRun) {
     EXPECT_EQ(debug_texts(run_ngc("G21 G0 X3\n#1=[#5420+1] G0 X5\n(debug,#1)\nM2\n")), "4.000000\n");
     EXPECT_NEAR(last_x(run_ngc("G21\nG28 #5161=2\nG28 Y0\nM2\n")), 50.8, 1e-9)
         << "G28 goes where the block sets it";
@@ -38,7 +38,7 @@ TEST(NgcBlockValues, SettingsAreMadeBeforeItsCodesAct) {
         << "comments see them too";
 }
 
-TEST(NgcNumbers, OfToolsRepeatsAndTurnsNeedNotBeExact) {
+TEST(NgcNumbers, AcceptNearIntegersForToolsRepeatsAndTurns) {
     const char* const three = "[.1*3*10]";  // a little more than 3
     EXPECT_EQ(run_ngc(fmt::format("M98 P{}\nM2\nO3\nG0 X1\nM99\n", three)).moves.size(), 1U);
     EXPECT_EQ(run_ngc(fmt::format("G21 F100\nG81 X1 Z-1 R1 L{}\nM2\n", three)).moves.size(),
@@ -63,13 +63,13 @@ TEST(NgcCycles, PecksAreCountedExactly) {
     EXPECT_EQ(strokes, expected_value);
 }
 
-TEST(NgcPolar, AnAngleAloneAtTheZeroPointHasTheRadiusZero) {
+TEST(NgcPolar, AngleAloneAtZeroPointHasZeroRadius) {
     EXPECT_NEAR(last_x(run_ngc("G21 F100\nG1 ^45\nX5\nM2\n")), 5, 1e-9);
     expect_alarm(run_ngc("G21 F100\nG1 @5\nM2\n"), 2, {"@ without ^"});
     expect_alarm(run_ngc("G21 F100\nG91 G1 @5 ^5\nM2\n"), 2, {"zero point"});
 }
 
-TEST(NgcPrograms, ABareOWordIsOnlyAMarkOnTheWay) {
+TEST(NgcPrograms, BareOWordIsOnlyLabel) {
     EXPECT_NEAR(last_x(run_ngc("G21 G90\nO0001\nG0 X1\nM30\n")), 1, 1e-9);
     EXPECT_EQ(run_ngc("G21\nG0 X5\nO0001\nG0 X1\nM30\n").moves.size(), 2U);
     EXPECT_EQ(run_ngc("O1\nG0 X1\nM98 P2\nG0 X5\nM2\nO2\nG0 X2\nO3\nG0 X3\nM99\n").moves.size(), 4U)
@@ -81,7 +81,7 @@ TEST(NgcPrograms, ABareOWordIsOnlyAMarkOnTheWay) {
 
 const std::string kBeside = "G21 F1000\nG0 X0 Y0 Z5\nG42.1 D10\nG1 X20\n";
 
-TEST(NgcCompensation, CommentsAndNamesTellWhereTheToolStands) {
+TEST(NgcCompensation, CommentsAndNamesReportToolPosition) {
     const std::string where = "(debug,%d#<_x> #<_y> #5420 #5421)\n";
     EXPECT_EQ(debug_texts(run_ngc(kBeside + where + "X30\n" + where + "Y10\n" + where + "X5\nG40 X0\n" +
                                   where + "M2\n")),
@@ -91,19 +91,19 @@ TEST(NgcCompensation, CommentsAndNamesTellWhereTheToolStands) {
     expect_alarm(run_ngc(kBeside + "#1=#5420\nM2\n"), 5, {"#5420", "compensation"});
 }
 
-TEST(NgcCompensation, IsToldByItsSideAlone) {
+TEST(NgcCompensation, ParameterReportsSideOnly) {
     EXPECT_EQ(debug_texts(run_ngc("G42.1 D5\n(debug,%d#<_ccomp>)\nG40\n(debug,%d#<_ccomp>)\nM2\n")),
               "420\n400\n");
 }
 
-TEST(NgcCompensation, PassesOverG923) {
+TEST(NgcCompensation, IgnoresG923) {
     const Outcome r = run_ngc("G92 X5\nG92.2\n" + kBeside + "G92.3\nX30\nG40\nX0\nM2\n");
     EXPECT_NEAR(last_x(r), 0, 1e-9) << "the offset is not in force";
     ASSERT_FALSE(r.report.messages.warnings.empty());
     EXPECT_NE(r.report.messages.warnings.back().find("G92.3"), std::string::npos);
 }
 
-TEST(NgcComputedCodes, DoWhatTheWrittenOnesDo) {
+TEST(NgcComputedCodes, ActLikeWrittenCodes) {
     EXPECT_NEAR(last_x(run_ngc("G21\nG[#<_metric>+19]\nG0 X1\nM2\n")), 25.4, 1e-9) << "G20";
     EXPECT_NEAR(last_x(run_ngc("#1=59.1 #5341=2\nG#1 G0 X0\nM2\n")), 50.8, 1e-9);
     EXPECT_NEAR(last_x(run_ngc("G21 F100\n#1=2\nG#1 X2 I1\nM2\n")), 2, 1e-9) << "the words go on with it";
@@ -113,7 +113,7 @@ TEST(NgcComputedCodes, DoWhatTheWrittenOnesDo) {
     EXPECT_NEAR(last_x(user), 4, 1e-9);
 }
 
-TEST(NgcComputedCodes, AreThoseWithoutWordsThatActBeforeTheMove) {
+TEST(NgcComputedCodes, RejectsUnsupportedNumbers) {
     for (const char* code : {"G[4]", "G[28]", "G[1.5]", "G[-1]", "G[10**9]", "M[2]", "M[98]", "M[6]",
                              "M[3.5]", "G[777]", "G[10**300]", "M[-3]"}) {
         const Outcome r = run_ngc(std::string("G21\n") + code + "\nM2\n");

@@ -15,14 +15,14 @@ std::string variable_value(const std::string& expression) {
     return debug_texts(run_ngc("#100=" + expression + "\n(debug,#100)\nM2\n"));
 }
 
-TEST(NgcExpressions, LogicIsOfZeroAndOther) {
+TEST(NgcExpressions, LogicTreatsNonzeroAsTrue) {
     EXPECT_EQ(variable_value("[2 and 3]"), "1.000000\n");
     EXPECT_EQ(variable_value("[0 or 5]"), "1.000000\n");
     EXPECT_EQ(variable_value("[2 xor 3]"), "0.000000\n");
     EXPECT_EQ(variable_value("[1 and 0.00000001]"), "1.000000\n");
 }
 
-TEST(NgcExpressions, OnlyEqualityHasATolerance) {
+TEST(NgcExpressions, OnlyEqualityHasTolerance) {
     EXPECT_EQ(variable_value("[1 eq 1.00009]"), "1.000000\n");
     EXPECT_EQ(variable_value("[1 eq 1.00011]"), "0.000000\n");
     EXPECT_EQ(variable_value("[1 ne 1.00009]"), "0.000000\n");
@@ -30,7 +30,7 @@ TEST(NgcExpressions, OnlyEqualityHasATolerance) {
     EXPECT_EQ(variable_value("[1 ge 1.0000001]"), "0.000000\n");
 }
 
-TEST(NgcExpressions, RemainderRoundingAndAngles) {
+TEST(NgcExpressions, ComputeRemainderRoundingAndAngles) {
     EXPECT_EQ(variable_value("[-7 mod 3]"), "2.000000\n");
     EXPECT_EQ(variable_value("[7 mod -3]"), "1.000000\n");
     EXPECT_EQ(variable_value("[-5.5 mod 2]"), "0.500000\n");
@@ -44,7 +44,7 @@ TEST(NgcExpressions, RemainderRoundingAndAngles) {
     EXPECT_EQ(variable_value("[2 ** -1]"), "0.500000\n");
 }
 
-TEST(NgcExpressions, WhatHasNoValueIsAnAlarm) {
+TEST(NgcExpressions, RejectsExpressionWithoutValue) {
     for (const char* expression : {"[1/0]", "[5 mod 0]", "[[0-2]**0.5]", "[0**[0-1]]", "exp[1000]",
                                    "sqrt[-1]", "ln[0]", "acos[2]", "#0", "#5602", "#[1.5]", "#<nothing>"}) {
         const Outcome r = run_ngc(std::string("#100=") + expression + "\nM2\n");
@@ -53,7 +53,7 @@ TEST(NgcExpressions, WhatHasNoValueIsAnAlarm) {
     }
 }
 
-TEST(NgcParameters, UnsetOnesAreZeroAndNamedOnesAreNot) {
+TEST(NgcParameters, UnsetNumberedAreZeroAndNamedAreRejected) {
     EXPECT_EQ(variable_value("[#77+1]"), "1.000000\n");
     expect_alarm(run_ngc("G21\n#1=#<width>\nM2\n"), 2, {"#<width>", "no value"});
     EXPECT_EQ(debug_texts(run_ngc("(debug,#<width> #5)\nM2\n")), "###### 0.000000\n");
@@ -62,13 +62,13 @@ TEST(NgcParameters, UnsetOnesAreZeroAndNamedOnesAreNot) {
               "1.000000 0.000000 1.000000\n");
 }
 
-TEST(NgcParameters, TheControlsOwnAreReadOnly) {
+TEST(NgcParameters, ControllerParametersAreReadOnly) {
     for (const char* parameter : {"#5420", "#5400", "#5401", "#5413", "#<_x>", "#<_value>"})
         expect_alarm(run_ngc(std::string("G21\n") + parameter + "=1\nM2\n"), 2, {parameter, "read-only"});
     EXPECT_EQ(debug_texts(run_ngc("#5399=5\n(debug,#5399)\nM2\n")), "5.000000\n");
 }
 
-TEST(NgcParameters, TellTheStateOfTheControl) {
+TEST(NgcParameters, ReportControllerState) {
     EXPECT_EQ(debug_texts(run_ngc(
                   "G20 G18 G91 F3\nG1 X1 Z2\n\n"
                   "(debug,#<_x> #<_z> #5420 #<_plane> #<_metric> #<_incremental> #<_feed> #<_line>)\nM2\n")),
@@ -80,7 +80,7 @@ TEST(NgcParameters, TellTheStateOfTheControl) {
         "592.000000 1.000000 1.000000 70.000000 0.000000\n");
 }
 
-TEST(NgcSubroutines, HaveParametersOfTheirOwnAndGiveAValue) {
+TEST(NgcSubroutines, HaveLocalParametersAndReturnValue) {
     const Outcome r = run_ngc(
         "#1=5 #<a>=1\n"
         "o1 sub\n(debug,#1 #2 #30 #<_call_level>)\n#1=7 #<a>=3\no1 endsub [#1+1]\n"
@@ -92,7 +92,7 @@ TEST(NgcSubroutines, HaveParametersOfTheirOwnAndGiveAValue) {
         "2.000000 3.000000 0.000000 1.000000\n5.000000 1.000000 8.000000 1.000000\n0.000000 0.000000\n");
 }
 
-TEST(NgcSubroutines, GlobalNamesAreSeenEverywhere) {
+TEST(NgcSubroutines, GlobalNamesAreVisibleEverywhere) {
     EXPECT_EQ(
         debug_texts(run_ngc("o1 sub\n#<_g>=[#<_g>+1]\no1 endsub\n#<_g>=1\no1 call\n(debug,#<_g>)\nM2\n")),
         "2.000000\n");
@@ -105,7 +105,7 @@ TEST(NgcSubroutines, NestToNineLevels) {
     expect_alarm(run_ngc(program + "10]\nM2\n"), 3, {"o1", "9 deep"});
 }
 
-TEST(NgcSubroutines, MayStandBelowTheirCallsAndBehindTheEnd) {
+TEST(NgcSubroutines, MayBeDefinedAfterCallAndProgramEnd) {
     EXPECT_EQ(
         debug_texts(run_ngc("#1=1\no1 call [2]\no1 sub\n(debug,sub #1)\no2 call\no1 endsub\n(debug,main #1)\n"
                             "o1 call [3]\nM2\no2 sub\n(debug,two)\no2 endsub\nnot read @\n")),
@@ -113,11 +113,11 @@ TEST(NgcSubroutines, MayStandBelowTheirCallsAndBehindTheEnd) {
     expect_alarm(run_ngc("o1 call\nM2\no1 sub\n\n#5=[1/0]\no1 endsub\n"), 5, {"zero"});
 }
 
-TEST(NgcSubroutines, OneThatIsMissingIsNamed) {
+TEST(NgcSubroutines, ReportsNameOfMissingSubroutine) {
     expect_alarm(run_ngc("G21\no<drill> call [1]\nM2\n"), 2, {"o<drill>", "subroutine not found"});
 }
 
-TEST(NgcSubroutines, RepeatsAreRoundedToEven) {
+TEST(NgcSubroutines, RepeatCountIsRoundedHalfToEven) {
     const std::string count = "o1 repeat [%]\n#9=[#9+1]\no1 endrepeat\n";
     const auto passes = [&](const std::string& n) {
         std::string program = count;
@@ -129,7 +129,7 @@ TEST(NgcSubroutines, RepeatsAreRoundedToEven) {
     EXPECT_EQ(passes("-1"), "0\n");
 }
 
-TEST(NgcMessages, AreFormattedAsWritten) {
+TEST(NgcMessages, AreFormattedAsProgrammed) {
     EXPECT_EQ(debug_texts(run_ngc("#1=1.6 #2=-3.25\n(debug,#1 %d#1 %.2f#2 %.4f#1)\nM2\n")),
               "1.600000 2 -3.25 1.6000\n");
     const Outcome r =
@@ -138,14 +138,14 @@ TEST(NgcMessages, AreFormattedAsWritten) {
     EXPECT_EQ(r.report.events.at(0).detail, " as it is #1");
 }
 
-TEST(NgcExpressions, SettingsBesideWordsSeeTheStateBeforeTheBlock) {
+TEST(NgcExpressions, SettingsInMoveBlockReadStateBeforeBlock) {
     const Outcome r = run_ngc("G21 F100\nG1 X5\nX9 #1=[#5420+1] #1=[#5420+2]\nX#1\nM2\n");
     EXPECT_NEAR(r.to(2, 'X'), 7, 1e-9);
 }
 
 // --- Frames ---
 
-TEST(NgcFrames, ASystemIsTurnedAboutItsOrigin) {
+TEST(NgcFrames, SystemRotatesAboutItsOrigin) {
     const Outcome r = run_ngc("G21 G10 L2 P1 X10 Y20 R30\nG0 X2 Y0\nX0 Y2\nG91 X1\nM2\n");
     const double c = std::sqrt(0.75);
     EXPECT_NEAR(r.to(0, 'X'), 10 + 2 * c, 1e-9);
@@ -156,7 +156,7 @@ TEST(NgcFrames, ASystemIsTurnedAboutItsOrigin) {
     EXPECT_NEAR(r.to(2, 'Y'), 20 + 2 * c + 0.5, 1e-9);
 }
 
-TEST(NgcFrames, G92TurnsWithTheSystemAndSurvivesIt) {
+TEST(NgcFrames, G92RotatesWithSystemAndG923RestoresIt) {
     EXPECT_EQ(
         debug_texts(run_ngc(
             "G21 G10 L2 P1 X1 Y2 R30\nG0 X10 Y4\nG92 X5 Y1\n(debug,%.4f#<_x> #<_y> #<_abs_x> #<_abs_y>)\n"
@@ -165,35 +165,35 @@ TEST(NgcFrames, G92TurnsWithTheSystemAndSurvivesIt) {
         "5.0000 1.0000 7.6603 10.4641\n10.0000 4.0000\n5.0000 1.0000\n9.0000 3.0000\n10.0000 0.0000\n");
 }
 
-TEST(NgcFrames, G10L20MovesTheOriginToThePosition) {
+TEST(NgcFrames, G10L20SetsOriginFromPosition) {
     EXPECT_EQ(
         debug_texts(run_ngc("G21 G10 L2 P1 X10 Y20 R60\nG0 X1 Y2\nG10 L20 P0 X5 Y6\n"
                             "(debug,%.4f#<_x> #<_y> #5230)\nG10 L20 P2 Z7\nG55\n(debug,%.4f#<_z>)\nM2\n")),
         "5.0000 6.0000 60.0000\n7.0000\n");
 }
 
-TEST(NgcFrames, ParametersHoldInchesAndAreLoadedByWords) {
+TEST(NgcFrames, ParametersAreInInchesAndApplyAtSystemChange) {
     EXPECT_EQ(debug_texts(run_ngc(
                   "G21 G10 L2 P1 X25.4\n(debug,#5221 #<_x>)\n#5221=2\n(debug,#<_x>)\nG54\n(debug,#<_x>)\n"
                   "G55\nG54\n(debug,#<_x>)\nM2\n")),
               "1.000000 -25.400000\n-25.400000\n-25.400000\n-50.800000\n");
 }
 
-TEST(NgcFrames, WrongWordsOfG10) {
+TEST(NgcFrames, RejectsInvalidWordsOfG10) {
     expect_alarm(run_ngc("G21\nG10 L2 P10 X1\nM2\n"), 2, {"P", "0", "9"});
     expect_alarm(run_ngc("G21\nG10 L20 P1 X1 R3\nM2\n"), 2, {"R"});
     expect_alarm(run_ngc("G21\nG10 L1 P77 Z1\nM2\n"), 2, {"tool 77"});
     expect_alarm(run_ngc("G21\nG10 L3 P1 X1\nM2\n"), 2, {"L"});
 }
 
-TEST(NgcFrames, ToolOffsetsLieOutsideTheRotation) {
+TEST(NgcFrames, ToolOffsetsAreNotRotated) {
     const Outcome r = run_ngc("G21 G10 L2 P1 R90\nT1 M6\nG10 L1 P1 X3 Z5\nG43\nG0 X1 Y0 Z1\nM2\n");
     EXPECT_NEAR(r.to(0, 'X'), 3, 1e-9);
     EXPECT_NEAR(r.to(0, 'Y'), 1, 1e-9);
     EXPECT_NEAR(r.to(0, 'Z'), 6, 1e-9);
 }
 
-TEST(NgcFrames, ToolTableByPosition) {
+TEST(NgcFrames, G10L10AndL11SetToolTableByPosition) {
     // With tool 2 active the machine is at X2 Y3 Z1 (values of LinuxCNC).
     EXPECT_EQ(debug_texts(run_ngc("G21 T1 M6\nG10 L2 P1 X1 Z3 R30\nG0 X5 Y5 Z5\nG92 X3\nG10 L10 P2 X2 Y3 Z1\n"
                                   "G43 H2\n(debug,%.4f#<_x> #<_y> #<_z>)\nM2\n")),
@@ -204,14 +204,14 @@ TEST(NgcFrames, ToolTableByPosition) {
         "-0.1031 0.1389 0.1969\n");
 }
 
-TEST(NgcFrames, G53NeedsAbsoluteDimensions) {
+TEST(NgcFrames, G53RequiresAbsoluteMode) {
     expect_alarm(run_ngc("G91\nG53 G0 X1\nM2\n"), 2, {"G53", "G90"});
     const Outcome r = run_ngc("G21 G10 L2 P1 X10 R45\nG53 G0 X3 Y4\nM2\n");
     EXPECT_NEAR(r.to(0, 'X'), 3, 1e-9);
     EXPECT_NEAR(r.to(0, 'Y'), 4, 1e-9);
 }
 
-TEST(NgcHome, GoesByAPointInTheDirectionsOfTheProgram) {
+TEST(NgcHome, PassesIntermediatePointInProgramDirections) {
     const Outcome r =
         run_ngc("G21 G10 L2 P1 X10 Y20 R90\nG0 X1 Y2 Z3\nG28.1\nG0 X5 Y5 Z6\nG28 X6 Z7\nG28\nM2\n");
     // Only X and Z of the program go home; its X is the machine's Y.
@@ -223,7 +223,7 @@ TEST(NgcHome, GoesByAPointInTheDirectionsOfTheProgram) {
     EXPECT_NEAR(r.end()[1], 21, 1e-9);
 }
 
-TEST(NgcHome, AndG92AreThoseOfTheRunBefore) {
+TEST(NgcHome, HomeAndG92ComeFromPreviousRun) {
     Conditions setup = ngc_conditions();
     setup.options.data.variables = {{5161, 1}, {5210, 1}, {5211, 0.5}};
     const Outcome r = run_ngc("G21 G90\nG0 X0\nG28\nM2\n", setup);
@@ -234,7 +234,7 @@ TEST(NgcHome, AndG92AreThoseOfTheRunBefore) {
     EXPECT_NEAR(run_ngc("G21 G90\nG0 X1\nM2\n", setup).to(0, 'X'), 1, 1e-9) << "G92.2 has ended it";
 }
 
-TEST(NgcFrames, NothingMovesThemOnACompensatedPath) {
+TEST(NgcFrames, RejectsFrameAndModeChangesDuringCompensation) {
     for (const char* word : {"G92 X1", "G52 X1", "G55", "G10 L2 P1 X1", "G28", "G28.1", "G53 G0 X1", "G18",
                              "M66 P1 L0", "M62 P1", "G64", "G61", "G38.2 X9", "G5.1 X1 Y1 I1 J1", "M48"}) {
         const Outcome r = run_ngc("G21 F100 T1 M6\nG41 D1\nG1 X10 Y10\n" + std::string(word) + "\nM2\n");
@@ -244,7 +244,7 @@ TEST(NgcFrames, NothingMovesThemOnACompensatedPath) {
 
 // --- Modes ---
 
-TEST(NgcModes, AreKeptAndBroughtBack) {
+TEST(NgcModes, AreSavedAndRestored) {
     EXPECT_EQ(
         debug_texts(run_ngc(
             "G21 F100 S200 M3\nM70\nG20 G91 F5 S7 G55 G18 M5 M8 G90.1 G98\nM72\n"
@@ -253,7 +253,7 @@ TEST(NgcModes, AreKeptAndBroughtBack) {
         "1 1 100 200 540 170 1 0 0 0\n");
 }
 
-TEST(NgcModes, OverridesComeBackInOneOrder) {
+TEST(NgcModes, OverridesAreRestoredInFixedOrder) {
     const Outcome r = run_ngc("M49\nM52\nM53 P0\nM70\nM48\nM52 P0\nM53\nM72\nM2\n");
     ASSERT_EQ(r.report.events.size(), 12U) << r.message();
     const char* const expected_value[] = {"feed disabled", "speed disabled", "adaptive enabled",
@@ -261,14 +261,14 @@ TEST(NgcModes, OverridesComeBackInOneOrder) {
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(r.report.events[8 + i].detail, expected_value[i]);
 }
 
-TEST(NgcModes, ComeBackAtTheEndOfASubroutineThatAsksForIt) {
+TEST(NgcModes, M73RestoresModesAfterSubroutine) {
     const std::string body = "G20 G91\no1 endsub\nG21 G90\no1 call\n(debug,%d#<_metric> #<_absolute>)\nM2\n";
     EXPECT_EQ(debug_texts(run_ngc("o1 sub\nM73\n" + body)), "1 1\n");
     EXPECT_EQ(debug_texts(run_ngc("o1 sub\nM73\nM71\n" + body)).substr(0, 3), "0 0");
     expect_alarm(run_ngc("G21\nM72\nM2\n"), 2, {"M72", "M70"});
 }
 
-TEST(NgcModes, SurfaceSpeedAtX0WithoutALimitIsNoAlarm) {
+TEST(NgcModes, SurfaceSpeedAtX0WithoutLimitOnlyWarns) {
     const Outcome r = run_ngc("G21\nG96 S100 M3\nG0 X10\nM2\n");
     EXPECT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.moves.size(), 1U);
@@ -278,13 +278,13 @@ TEST(NgcModes, SurfaceSpeedAtX0WithoutALimitIsNoAlarm) {
     }));
 }
 
-TEST(NgcModes, AxisWordsNeedAMotion) {
+TEST(NgcModes, AxisWordsRequireMotion) {
     expect_alarm(run_ngc("G21\nX5\nM2\n"), 2, {"motion"});
 }
 
 // --- Inputs and outputs ---
 
-TEST(NgcInputs, AreZeroWithoutAScriptAndElseItsAnswer) {
+TEST(NgcInputs, ReadZeroWithoutScriptAndElseItsValue) {
     EXPECT_EQ(debug_texts(run_ngc("#5399=3\nM66 P1 L3 Q2\n(debug,#5399)\nM2\n")), "0.000000\n");
     const Outcome r = run_ngc_lua(
         "on_input(function(kind, number, wait, timeout) if wait == 3 then return nil end return number + "
@@ -296,14 +296,14 @@ TEST(NgcInputs, AreZeroWithoutAScriptAndElseItsAnswer) {
     EXPECT_NEAR(r.report.cycle_time_s, 1 + 5, 1e-9);  // one response after 1 s, none within 5 s
 }
 
-TEST(NgcInputs, WrongWords) {
+TEST(NgcInputs, RejectsInvalidWords) {
     expect_alarm(run_ngc("G21\nM66 P1 E1 L0\nM2\n"), 2, {"digital", "analog"});
     expect_alarm(run_ngc("G21\nM66 P1 L3\nM2\n"), 2, {"Q"});
     expect_alarm(run_ngc("G21\nM66 E1 L1 Q1\nM2\n"), 2, {"analog"});
     expect_alarm(run_ngc_lua("M68{e=1}"), 1, {"Q"});
 }
 
-TEST(NgcOutputs, AreEvents) {
+TEST(NgcOutputs, AreReportedAsEvents) {
     const Outcome r = run_ngc("M62 P1\nM65 P2\nM67 E3 Q1.5\nG0 X1\nM2\n");
     ASSERT_EQ(r.events(), "digital_output digital_output analog_output");
     EXPECT_EQ(r.report.events.at(0).detail, "P1 on with the next move");
@@ -312,7 +312,7 @@ TEST(NgcOutputs, AreEvents) {
 }
 
 // M62, M63 and M67 wait for a move, which a dwell is not; the others stop the machine and act at once.
-TEST(NgcOutputs, ChangeWithTheNextMoveOrAtOnce) {
+TEST(NgcOutputs, ChangeWithNextMoveOrAtOnce) {
     const Outcome r = run_ngc(
         "G21 G64\nM62 P1\nG4 P1\nG1 X10 F600\nM64 P2\nG1 X20\nM67 E1 Q2\nM63 P3\nM68 E2 Q5\nG1 X30\nM62 "
         "P4\nG4 P1\nM65 P5\nM2\n");
@@ -333,7 +333,7 @@ TEST(NgcOutputs, ChangeWithTheNextMoveOrAtOnce) {
 }
 
 // If the controller does not stop, the next move begins in the corner.
-TEST(NgcOutputs, DoNotStopTheMachineIfTheyGoWithAMove) {
+TEST(NgcOutputs, SynchronizedOutputsDoNotStopMotion) {
     Conditions conditions = ngc_conditions();
     conditions.machine.controller.planner = rrs::PlannerKind::look_ahead;
     for (machine::Axis& axis : conditions.machine.axes) axis.max_acceleration = 100;

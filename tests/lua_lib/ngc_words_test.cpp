@@ -11,7 +11,7 @@ std::string variable_value(const std::string& expression, const std::string& bef
     return debug_texts(run_ngc(before + "#100=" + expression + "\n(debug,%d#100)\nM2\n"));
 }
 
-TEST(NgcExists, OfANumberedParameterAsksForItsNumberNotForItsValue) {
+TEST(NgcExists, ChecksRangeOfNumberedParameter) {
     EXPECT_EQ(variable_value("EXISTS[#1]"), "1\n");
     EXPECT_EQ(variable_value("EXISTS[#400]"), "1\n") << "without a value, too";
     EXPECT_EQ(variable_value("EXISTS[#5601]"), "1\n");
@@ -25,19 +25,19 @@ TEST(NgcExists, OfANumberedParameterAsksForItsNumberNotForItsValue) {
                  "the number of a parameter must be an integer, not 1.5");
 }
 
-TEST(NgcExists, OfANamedOneAsksForItsValue) {
+TEST(NgcExists, ChecksValueOfNamedParameter) {
     EXPECT_EQ(variable_value("EXISTS[#<width>]"), "0\n");
     EXPECT_EQ(variable_value("EXISTS[#<width>]", "#<width>=0\n"), "1\n");
     EXPECT_EQ(variable_value("EXISTS[#<_metric>]"), "1\n");
 }
 
-TEST(NgcExists, ChoosesTheBranch) {
+TEST(NgcExists, SelectsBranch) {
     const Outcome r = run_ngc("G21\no1 if [EXISTS[#1]]\nG0 X1\no1 else\nG0 X2\no1 endif\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.to(0, 'X'), 1);
 }
 
-TEST(NgcParameters, TheirNumberMayBeAFunctionOrHaveSigns) {
+TEST(NgcParameters, NumberMayBeFunctionOrHaveSigns) {
     EXPECT_EQ(variable_value("#45", "#ATAN[1]/[1]=3\n"), "3\n");
     EXPECT_EQ(variable_value("#1", "#SIN[90]=4\n"), "4\n");
     EXPECT_EQ(variable_value("#2", "#ABS[-2]=5\n"), "5\n");
@@ -52,13 +52,13 @@ TEST(NgcAngles, AreRoundedOnce) {
     EXPECT_EQ(variable_value("[SIN[33.3]*2**53]"), "4945157917108571\n");
 }
 
-TEST(NgcCodes, ThatTheDialectRefusesAreRefusedInScriptsByHand) {
+TEST(NgcCodes, RejectsUnsupportedCodesInScripts) {
     expect_alarm(run_ngc_lua("program(nil, function()\nG17_1()\nend)"), 2,
                  {"G17.1 (UV plane) is not supported"});
     expect_alarm(run_ngc_lua("G70{q=100}"), "G70 (lathe finishing cycle) is not supported");
 }
 
-TEST(NgcFeed, IsDroppedByABareFeedMode) {
+TEST(NgcFeed, IsClearedByBareFeedMode) {
     for (const char* mode : {"G94", "G95"}) {
         const Outcome r = run_ngc(std::string("G21 F100 S100 M3\n") + mode + "\nG1 X1\nM2\n");
         expect_alarm(r, 3, {"[feed]", "no feed is active", "F"});
@@ -69,11 +69,11 @@ TEST(NgcFeed, IsDroppedByABareFeedMode) {
                  {"[feed]", "no feed is active", "F"});
 }
 
-TEST(NgcFeed, OfInverseTimeIsNotTheOneThatParametersTell) {
+TEST(NgcFeed, ParameterIgnoresInverseTimeFeed) {
     EXPECT_EQ(debug_texts(run_ngc("G21 F100\nG93\nG1 X1 F12\n(debug,%d#<_feed>)\nM2\n")), "100\n");
 }
 
-TEST(NgcSharedWords, AreReadByEachCodeOfTheirBlock) {
+TEST(NgcSharedWords, AreReadByEachCodeOfBlock) {
     expect_alarm(run_ngc("G64 P0.1 M19 R90\nM2\n"), 1, {"[word-value]", "P of M19", "0, 1 or 2"});
     const Outcome r = run_ngc("G64 P1 M19 R90\nM2\n");
     ASSERT_EQ(r.report.events.size(), 1U) << r.message();
@@ -81,7 +81,7 @@ TEST(NgcSharedWords, AreReadByEachCodeOfTheirBlock) {
     EXPECT_EQ(run_ngc("M19 R90 Q2\nM2\n").report.events.at(0).detail, "90 deg, shortest way, within 2 s");
 }
 
-TEST(NgcSharedWords, GoOnToTheModalMotion) {
+TEST(NgcSharedWords, AlsoApplyToModalMotion) {
     const Outcome r = run_ngc("G21 F1000\nG2 X10 I5\nG64 P3 X20 I5\nM2\n");
     ASSERT_EQ(r.moves.size(), 2U) << r.message();
     EXPECT_NEAR(r.moves[1].length_mm / r.moves[0].length_mm, 5, 1e-9) << "half a turn, and two more";
@@ -93,7 +93,7 @@ TEST(NgcSharedWords, GoOnToTheModalMotion) {
     EXPECT_TRUE(run_ngc("G21 F1000\nG1 X10\nG64 P3 X20\nM2\n").completed()) << "a line has no use for P";
 }
 
-TEST(NgcThreads, WithoutAPitchGoAtTheFeed) {
+TEST(NgcThreads, ZeroPitchMovesAtFeed) {
     const Outcome r = run_ngc("G21 S100 M3 F60\nG33 Z-5 K0\nM2\n");
     ASSERT_EQ(r.moves.size(), 1U) << r.message();
     EXPECT_NEAR(r.seconds(0), 5, 0.5);
@@ -104,7 +104,7 @@ TEST(NgcThreads, WithoutAPitchGoAtTheFeed) {
 }
 
 // 0.5 * 8 ** [1 / 1.5] is 2 but for its last digit: there are seven cuts and the last one, as in LinuxCNC.
-TEST(NgcThreads, ThatReachTheirDepthButForRoundingAreCutOnceThere) {
+TEST(NgcThreads, FullDepthWithinRoundingIsCutOnce) {
     const Outcome r =
         run_ngc("G21 S600 M3\nG18\nG0 X20 Z5\nG76 P1.66 Z-17.16 I-1 J0.5 R1.5 K2 Q0 H0 E0 L3\nM2\n");
     std::size_t cuts = 0;
@@ -113,7 +113,7 @@ TEST(NgcThreads, ThatReachTheirDepthButForRoundingAreCutOnceThere) {
     EXPECT_EQ(cuts, 8U) << r.message();
 }
 
-TEST(NgcThreads, AreCutWithCompensationOfRadiusZeroAlone) {
+TEST(NgcThreads, RequireZeroRadiusDuringCompensation) {
     const std::string path = "G1 X10\nG1 Y10\nG33.1 Z-5 K1\nG33 Z-6 K1\nG40\nM2\n";
     const Outcome r = run_ngc("G21 F100 S100 M3\nG41.1 D0\n" + path);
     EXPECT_TRUE(r.completed()) << r.message();
@@ -122,13 +122,13 @@ TEST(NgcThreads, AreCutWithCompensationOfRadiusZeroAlone) {
                  {"G33.1 is not possible while cutter compensation is on"});
 }
 
-TEST(NgcPrograms, OfOneNumberAreCalledFromBehindTheMainProgram) {
+TEST(NgcPrograms, M98CallsFirstProgramOfNumberAfterMain) {
     const Outcome r = run_ngc("O0002\nG0 X1\nM98 P2\nM2\nO2\nG0 X2\nM99\nO2\nG0 X3\nM99\n");
     ASSERT_EQ(r.moves.size(), 2U) << r.message();
     EXPECT_EQ(r.to(1, 'X'), 2);
 }
 
-TEST(NgcSubroutines, InAngleBracketsKeepTheirZeros) {
+TEST(NgcSubroutines, NamesInAngleBracketsKeepLeadingZeros) {
     const Outcome r = run_ngc(
         "o<0002> sub\nG0 X3\no<0002> endsub\no2 sub\nG0 X2\no2 endsub\n"
         "o<0002> call\no2 call\no<0002> call\no<2> call\no0002 call\nM2\n");
@@ -139,14 +139,14 @@ TEST(NgcSubroutines, InAngleBracketsKeepTheirZeros) {
     EXPECT_EQ(r.to(3, 'X'), 2);
 }
 
-TEST(NgcSubroutines, ANumberedProgramLeavesNoValue) {
+TEST(NgcSubroutines, NumberedProgramReturnsNoValue) {
     EXPECT_EQ(
         debug_texts(run_ngc("o1 sub\no1 endsub [5]\no1 call\n(debug,%d#<_value>)\nM98 P7\n"
                             "(debug,%d#<_value> #<_value_returned>)\nM2\nO7\n(debug,%d#<_value>)\nM99\n")),
         "5\n5\n0 0\n");
 }
 
-TEST(NgcModes, FeedAndSpeedComeBackAsLinuxcncWritesThem) {
+TEST(NgcModes, FeedAndSpeedAreRestoredAsInLinuxcnc) {
     const std::string display_text = "M72\n(debug,%.3f#<_feed> #<_rpm>)\nM2\n";
     EXPECT_EQ(debug_texts(run_ngc("G21 F92.987 S100.6 M3\nM70\nF33 S120\n" + display_text)),
               "93.000 101.000\n");
@@ -156,7 +156,7 @@ TEST(NgcModes, FeedAndSpeedComeBackAsLinuxcncWritesThem) {
         << "G94 drops F, and F had not changed";
 }
 
-TEST(NgcTools, NoneInTheSpindleIsInNoPocket) {
+TEST(NgcTools, EmptySpindleHasPocketZero) {
     EXPECT_EQ(variable_value("#<_current_pocket>"), "0\n");
 }
 

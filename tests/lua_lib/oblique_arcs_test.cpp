@@ -75,7 +75,7 @@ Vector3d placed(const Vector3d& point, double degrees) {
 const std::string kTurned30 = "G21 F1000 G10 L2 P1 X10 Y20 Z5 R30\nG0 X5 Y5 Z5\n";
 const Vector3d kNormal30 = turned(Vector3d::UnitY(), 30, Vector3d::UnitZ());
 
-TEST(ObliqueArcs, ZxUnderARotationAboutZ) {
+TEST(ObliqueArcs, ZxArcFollowsRotationAboutZ) {
     const Wanted quarter{placed({15, 5, 5}, 30), kNormal30, placed({15, 5, 15}, 30), kPi / 2, 0};
     expect_helix(run_ngc(kTurned30 + "G18 G3 X15 Z15 I10 K0\n"), quarter);
     expect_helix(run_ngc(kTurned30 + "G18 G3 X15 Z15 R10\n"), quarter);
@@ -86,7 +86,7 @@ TEST(ObliqueArcs, ZxUnderARotationAboutZ) {
     expect_helix(run_ngc(kTurned30 + "G18 G2 X15 Z15 I10 K0\n"), rest);
 }
 
-TEST(ObliqueArcs, HelixAboutATurnedNormal) {
+TEST(ObliqueArcs, HelixFollowsRotatedNormal) {
     expect_helix(run_ngc(kTurned30 + "G18 G3 X15 Y12 Z15 I10 K0 P2\n"),
                  {placed({15, 5, 5}, 30), kNormal30, placed({15, 12, 15}, 30), 2.5 * kPi, 7});
     const Vector3d normal = turned(Vector3d::UnitX(), 30, Vector3d::UnitZ());
@@ -94,7 +94,7 @@ TEST(ObliqueArcs, HelixAboutATurnedNormal) {
                  {placed({5, 15, 5}, 30), -normal, placed({-4, 5, 5}, 30), 2 * kPi, 9});
 }
 
-TEST(ObliqueArcs, WhatARotationTurnsIntoAMainPlaneIsToldAsThat) {
+TEST(ObliqueArcs, ReportMainPlaneAfterQuarterTurns) {
     for (const int degrees : {90, 180, 270}) {
         const std::string start =
             "G21 F1000 G10 L2 P1 X10 Y20 Z5 R" + std::to_string(degrees) + "\nG0 X5 Y5 Z5\n";
@@ -105,7 +105,7 @@ TEST(ObliqueArcs, WhatARotationTurnsIntoAMainPlaneIsToldAsThat) {
     }
 }
 
-TEST(ObliqueArcs, EachPlaneUnderARotationInAnother) {
+TEST(ObliqueArcs, XyArcFollowsRotationAboutX) {
     // G68 turns YZ about X by 40 degrees, or mirrors before it turns.
     const Vector3d x = Vector3d::UnitX();
     const auto location = [&](const Vector3d& point) { return turned(point, 40, x); };
@@ -119,7 +119,7 @@ TEST(ObliqueArcs, EachPlaneUnderARotationInAnother) {
                  {location({10, 10, 0}), location(Vector3d::UnitZ()), location({10, 20, 0}), kPi / 2, 0});
 }
 
-TEST(ObliqueArcs, ThroughAPoint) {
+TEST(ObliqueArcs, PassThroughIntermediatePoint) {
     // About (110,100,100), over a point as far to the side as it is up: the plane holds X and (0,1,1).
     const Outcome r =
         run("F1000 G0 X100 Y100 Z100\nCIP X120 I1=110 J1=107.0710678118655 K1=107.0710678118655\n");
@@ -145,7 +145,7 @@ void expect_turned(const Outcome& plain, const Outcome& turned_run, const Eigen:
     }
 }
 
-TEST(ObliqueArcs, CompensationLeadsTheToolBesideThem) {
+TEST(ObliqueArcs, CompensatedPathRotatesWithPlane) {
     const std::string part =
         "G18 G0 X-20 Y3 Z-20\nG41.1 D6 G1 X0 Z0\nX30\nG2 X50 Z20 R20\nG3 X60 Z30 Y8 I10 K0\nG1 Z60\nX20 "
         "Z45\nX-5 "
@@ -172,7 +172,7 @@ TEST(ObliqueArcs, CompensationLeadsTheToolBesideThem) {
 }
 
 // A rotation belongs to its work coordinate system, and comes back with it.
-TEST(ObliqueArcs, ARotationThatTurnsThePlaneOfCompensationIsRefused) {
+TEST(ObliqueArcs, RejectsRotationOfCompensationPlane) {
     expect_alarm(run("G54 G19\nG68 Y0 Z0 R30\nG55 G17 G0 X0 Y0\nG41 D1 G1 X20 Y20 F1000\nX60\nG54\nX80\n",
                      with_tools()),
                  6,
@@ -180,7 +180,7 @@ TEST(ObliqueArcs, ARotationThatTurnsThePlaneOfCompensationIsRefused) {
                   "G40 first"});
 }
 
-TEST(ObliqueArcs, AnEllipseIsStillRefused) {
+TEST(ObliqueArcs, RejectsEllipse) {
     expect_alarm(run("F1000 G14 I2\nG19 G68 Y0 Z0 R40\nG0 X20 Y10 Z0\nG17 G3 X10 Y20 I-10\n"), 4,
                  {"an arc becomes an ellipse if its two axes are scaled differently"});
 }

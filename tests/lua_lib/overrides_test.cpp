@@ -51,7 +51,7 @@ struct Lock {
 };
 
 // LinuxCNC: the enables of a move are those at its programming; FS_ENABLED is that of feeds and rapids.
-TEST(OverrideLocks, OfLinuxcncByWord) {
+TEST(OverrideLocks, FollowLinuxcncWords) {
     for (const Lock& lock :
          {Lock{"", 0.5, 0.25, 0.4}, Lock{"M49", 1, 1, 1}, Lock{"M49 \nM48", 0.5, 0.25, 0.4},
           Lock{"M50 P0", 1, 1, 0.8}, Lock{"M50 P0\nM50", 0.5, 0.25, 0.4},
@@ -68,7 +68,7 @@ TEST(OverrideLocks, OfLinuxcncByWord) {
     }
 }
 
-TEST(OverrideLocks, OfThe9SeriesByWord) {
+TEST(OverrideLocks, FollowAb9Words) {
     for (const Lock& lock :
          {Lock{"", 0.5, 0.25, 0.4}, Lock{"M49", 1, 1, 1}, Lock{"M49\nM48", 0.5, 0.25, 0.4},
           Lock{"G63", 1, 0.25, 0.8}, Lock{"G63\nG64", 0.5, 0.25, 0.4}, Lock{"G63\nG61", 0.5, 0.25, 0.4},
@@ -82,14 +82,14 @@ TEST(OverrideLocks, OfThe9SeriesByWord) {
     }
 }
 
-TEST(OverrideLocks, InverseTimeIsScaledToo) {
+TEST(OverrideLocks, InverseTimeFeedIsScaled) {
     EXPECT_NEAR(run_linuxcnc("G21 G90 G93\nG1 X100 F6\nM2\n").seconds(0), 20, 1e-9);
     EXPECT_NEAR(run_ab9("G93\nG1 X100 F6\n").seconds(0), 20, 1e-9);
     EXPECT_TRUE(run_linuxcnc("G21 G90 G93\nG1 X100 F6\nM2\n").report.messages.warnings.empty());
 }
 
 // In step with the spindle: its override makes them slower, that of the feed does not.
-TEST(OverrideLocks, ThreadsOfLinuxcncFollowTheSpindleAlone) {
+TEST(OverrideLocks, LinuxcncThreadsFollowOnlySpindleOverride) {
     const Outcome r = run_linuxcnc("G21 G90 S600 M3\nG33 Z-100 K1\nG0 Z0\nM51 P0\nG33.1 Z-100 K1\nM2\n");
     ASSERT_GE(r.moves.size(), 4U) << r.message();
     EXPECT_NEAR(feed_share(r, 0), 0.8, 1e-9);
@@ -99,7 +99,7 @@ TEST(OverrideLocks, ThreadsOfLinuxcncFollowTheSpindleAlone) {
     EXPECT_NEAR(r.report.overrides->spindle_locked_s, 20, 1e-9);
 }
 
-TEST(OverrideLocks, ThreadsAndTapsOfThe9SeriesAreDeaf) {
+TEST(OverrideLocks, Ab9ThreadsIgnoreOverrides) {
     const Outcome thread = run_ab9("S600 M3\nG33 Z-100 F1\nG1 Z0 F600\n");
     EXPECT_NEAR(feed_share(thread, 0), 1, 1e-9);
     EXPECT_NEAR(feed_share(thread, 1), 0.5, 1e-9) << "what follows obeys again";
@@ -114,7 +114,7 @@ std::vector<double> strokes_s(const Outcome& r) {
     return times;
 }
 
-TEST(OverrideLocks, TapsGoAsProgrammed) {
+TEST(OverrideLocks, TapsIgnoreOverrides) {
     const Outcome ngc =
         run_linuxcnc("G21 G90 G98 S600 M3 F600\nG0 Z0\nG84 X0 Y0 Z-100 R0\nG80\nG1 X100\nM2\n");
     EXPECT_TRUE(ngc.completed()) << ngc.message();
@@ -130,7 +130,7 @@ TEST(OverrideLocks, TapsGoAsProgrammed) {
     EXPECT_NEAR(of_ab9[2], 20, 1e-9);
 }
 
-TEST(OverrideLocks, ProbesObeyWhereTheControllerSaysSo) {
+TEST(OverrideLocks, ProbesFollowFeedOverrideIfEnabled) {
     Conditions setup = overridden(ngc_conditions(), kHalf);
     setup.probe.kind = simulation::ProbeSurface::Kind::none;
     const std::string program = "G21 G90 F600\nG38.3 X100\nM2\n";
@@ -141,12 +141,12 @@ TEST(OverrideLocks, ProbesObeyWhereTheControllerSaysSo) {
     EXPECT_NEAR(grbl.report.overrides->feed_locked_s, 10, 1e-9);
 }
 
-TEST(OverrideLocks, DwellsGoOnAsTheyAre) {
+TEST(OverrideLocks, DwellsIgnoreOverrides) {
     const Outcome r = run_linuxcnc("G21 G90\nG4 P3\nM2\n");
     EXPECT_NEAR(r.report.cycle_time_s, 3, 1e-9);
 }
 
-TEST(OverrideLocks, TheReportTellsHowLongWhatWasLocked) {
+TEST(OverrideLocks, ReportContainsLockedTimes) {
     const Outcome r = run_linuxcnc("G21 G90 F600\nM49\nG1 X100\nG0 X0\nM48\nG1 X100\nM2\n");
     ASSERT_TRUE(r.report.overrides);
     EXPECT_NEAR(r.report.overrides->feed_locked_s, 10, 1e-9);
@@ -156,7 +156,7 @@ TEST(OverrideLocks, TheReportTellsHowLongWhatWasLocked) {
     EXPECT_FALSE(run_ngc("G21 F600\nM49\nG1 X10\nM2\n").report.overrides);
 }
 
-TEST(OverrideLocks, AChangeTakesAsLongAsTheControllerNeedsForIt) {
+TEST(OverrideLocks, ControllerDelaysOverrideChange) {
     Conditions setup = overridden(ngc_conditions(), {});
     setup.overrides = motion::OverrideSchedule({{2, {.feed = 0.5}}});
     const std::string program = "G21 G90 F600\nG1 X100\nM2\n";

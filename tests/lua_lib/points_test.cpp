@@ -27,7 +27,7 @@ Outcome run_rs274(const std::string& lua) {
     return run_ngc_lua(lua, with_points(ngc_conditions()));
 }
 
-TEST(Points, ByNameAndByNumber) {
+TEST(Points, AreFoundByNameAndNumber) {
     expect_end(run_ab9("G53() G0(fixed \"CLAMP1\")"), 254, 50.8, 127, 30, -45);
     expect_end(run_ab9("G53() G0(fixed(1))"), 254, 50.8, 127, 30, -45);
     expect_end(run_ab9("G53() G0(fixed \"clamp1\")"), 254, 50.8, 127, 30, -45);
@@ -35,18 +35,18 @@ TEST(Points, ByNameAndByNumber) {
     expect_end(run_ab9("G53() G0(reference(2))"), 100, 200, 50);
 }
 
-TEST(Points, AxesWithoutAValueStay) {
+TEST(Points, AxesWithoutValueStay) {
     expect_end(run_ab9("G0{b=15, c=20}\nG53() G0(fixed(3))"), 10, 20, 30, 15, 20);
 }
 
-TEST(Points, InInchesAndMillimetres) {
+TEST(Points, AreConvertedToActiveUnit) {
     expect_end(run_ab9("G20()\nG53() G0(fixed \"CLAMP1\")"), 254, 50.8, 127, 30, -45);
     expect_end(run_ab9("G20()\nG0{x=fixed(1).x - 1}"), 254 - 25.4, 0, 0);
     expect_end(run_ab9("local place = fixed(1)\nG20()\nG21()\nG53() G0(place)"), 254, 50.8, 127, 30, -45);
     expect_end(run_rs274("G20()\nG53() G0(fixed \"CLAMP1\")"), 254, 50.8, 127, 30, -45);
 }
 
-TEST(Points, WhateverOffsetsAndModesAreInForce) {
+TEST(Points, IgnoreActiveOffsetsAndModes) {
     Conditions setup = with_points(with_tools());
     setup.options.data.offsets["55"] = {{'X', 30}, {'Y', 40}, {'Z', 50}, {'B', 5}};
     const Outcome r = run_lua(
@@ -58,25 +58,25 @@ TEST(Points, WhateverOffsetsAndModesAreInForce) {
 }
 
 // With G7 a word X is a diameter, and the machine is at half of it.
-TEST(Points, WhereXIsADiameter) {
+TEST(Points, WorkInDiameterMode) {
     expect_end(run_rs274("G7()\nG53() G0(fixed \"CLAMP1\")"), 254, 50.8, 127, 30, -45);
     expect_end(run_rs274("G7() G20()\nG53() G0(fixed \"CLAMP1\")"), 254, 50.8, 127, 30, -45);
 }
 
-TEST(Points, AFeedMoveGoesThereInALine) {
+TEST(Points, FeedMoveReachesPointInLine) {
     const Outcome r = run_ab9("F(6000) G53() G1(reference(2))");
     expect_end(r, 100, 200, 50);
     EXPECT_NEAR(r.report.distances.feed_mm, std::sqrt(100.0 * 100 + 200 * 200 + 50 * 50), 1e-9);
 }
 
-TEST(Points, TheTableIsTheScripts) {
+TEST(Points, ScriptMayChangeItsCopy) {
     expect_end(
         run_ab9("local p = fixed \"CLAMP1\"\np.z, p.b, p.c = nil, nil, nil\np.x = p.x + 1\nG53() G0(p)\n"
                 "G53() G0{z=fixed(1).z}"),
         255, 50.8, 127);
 }
 
-TEST(Points, AnMCodeOfTheUserTakesThemByNumber) {
+TEST(Points, UserMCodeUsesPointByNumber) {
     Conditions setup = with_points();
     expect_end(run_lua("M[101] = function(words) G53() G0(fixed(words.p)) end\n"
                        "program(1, function()\nM[101]{p=3}\nM30()\nend)",
@@ -85,13 +85,13 @@ TEST(Points, AnMCodeOfTheUserTakesThemByNumber) {
 }
 
 // X, Y and Z are in each entry of a file, even if a machine has no such axis.
-TEST(Points, AxesThatTheMachineDoesNotHaveAreLeftOut) {
+TEST(Points, IgnoreAxesUnknownToMachine) {
     Conditions setup = with_points();
     setup.options.data.fixed[1]['U'] = 5;
     expect_end(run_lua("G53() G0(fixed(1))", setup), 254, 50.8, 127, 30, -45);
 }
 
-TEST(Points, OnesThatAreNotThere) {
+TEST(Points, RejectsUnknownPoint) {
     expect_alarm(run_ab9("M0()\nG53() G0(fixed \"VISE\")"), 2,
                  {"fixed \"VISE\": no fixed point has that name; available: 1 (CLAMP1), 3. A line of section "
                   "FIXED of the machine data defines one: number X Y Z NAME=VISE"});
@@ -107,7 +107,7 @@ TEST(Points, OnesThatAreNotThere) {
                      {"fixed needs the name or the number of a fixed point: fixed \"CLAMP1\", fixed(1)"});
 }
 
-TEST(Points, OfManyTheFirstOnesAreTold) {
+TEST(Points, ListsFirstOfManyPoints) {
     Conditions setup;
     for (int number = 1; number <= 13; ++number) setup.options.data.fixed[number] = {{'X', 0}};
     expect_alarm(run_lua("fixed(99)", setup), 1, {"available: 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 and 3 more."});

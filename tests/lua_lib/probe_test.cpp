@@ -28,7 +28,7 @@ Conditions at_plane(char axis, double at_mm) {
         {.kind = ProbeSurface::Kind::plane, .axis = static_cast<std::size_t>(axis - 'x'), .at_mm = at_mm});
 }
 
-TEST(Probe, TripsWhereTheScriptSaysAndBrakesBehindIt) {
+TEST(Probe, TripsAtPointFromScriptAndThenBrakes) {
     const Outcome r = run_ngc_lua(
         "on_probe(function(from, to) return { z = -3 } end)\n"
         "G21() F(3000) G10{l=2, p=1, z=-1}\n"
@@ -43,7 +43,7 @@ TEST(Probe, TripsWhereTheScriptSaysAndBrakesBehindIt) {
     EXPECT_NEAR(r.seconds(0), 3 / kF3000_mm_s + 1.5 * kF3000_mm_s / kAcceleration_mm_s2, 1e-9);
 }
 
-TEST(Probe, MayAnswerWithAPartOfTheWay) {
+TEST(Probe, AcceptsFractionOfPathFromScript) {
     const Outcome r = run_ngc_lua(
         "function probe(from, to) return 0.25 end\nG21() F(100) G38_3{x=8, y=4} "
         "DEBUG('%.6f %.6f', v[5061], v[5062])\n");
@@ -56,7 +56,7 @@ TEST(Probe, MayAnswerWithAPartOfTheWay) {
     EXPECT_NEAR(full.to(0, 'X'), 8, 1e-12);
 }
 
-TEST(Probe, FindingNothingIsAnAlarmWhereItMust) {
+TEST(Probe, RejectsMissingContactFromScriptIfRequired) {
     const std::string nothing = "on_probe(function() return nil end)\nG21() F(100)\n";
     expect_alarm(run_ngc_lua(nothing + "G38_2{x=5}"), 3, {"[probe]", "G38.2", "not made contact"});
     expect_alarm(run_ngc_lua(nothing + "G38_4{x=5}"), 3, {"[probe]", "G38.4", "not lost contact"});
@@ -64,7 +64,7 @@ TEST(Probe, FindingNothingIsAnAlarmWhereItMust) {
     EXPECT_EQ(debug_texts(r), "5.000000 0.000000\n");
 }
 
-TEST(Probe, AnAnswerBesideTheWayIsRefused) {
+TEST(Probe, RejectsContactOffPath) {
     const std::string head = "G21() F(100)\n";
     expect_alarm(run_ngc_lua(head + "on_probe(function() return {x=2, y=1} end) G38_2{x=5}"), 2,
                  {"[probe]", "1 mm off the path", "Y"});
@@ -74,7 +74,7 @@ TEST(Probe, AnAnswerBesideTheWayIsRefused) {
                  {"[probe]", "must be a point"});
 }
 
-TEST(Probe, TouchesAtItsTargetWhereNothingIsSaid) {
+TEST(Probe, TouchesAtTargetByDefault) {
     const Outcome r = run_ngc(
         "G21 F50\nG0 Z10\nG38.2 Z-5\nG1 X#5061 Z#5063\nG38.3 X10\nG38.4 Z5\n(debug,%.4f#5070 #<_x> "
         "#<_z>)\nG1 Y1\nM2\n");
@@ -91,7 +91,7 @@ TEST(Probe, TouchesAtItsTargetWhereNothingIsSaid) {
             "plane (--probe z=-3.2), or a script (on_probe); with --probe none they never touch"});
 }
 
-TEST(Probe, NoMoveIsAddedBehindIt) {
+TEST(Probe, AddsNoMoveAfterProbing) {
     for (const std::string probe : {"G38.3 Z-5", "G38.3 X5", "G38.5 X5"}) {
         const Outcome r = run_ngc("G21 F50\n" + probe + "\nG2 X15 R20\nM2\n");
         ASSERT_EQ(r.moves.size(), 2U) << r.message();
@@ -100,7 +100,7 @@ TEST(Probe, NoMoveIsAddedBehindIt) {
     }
 }
 
-TEST(Probe, APlaneStopsItOnEachAxis) {
+TEST(Probe, StopsAtPlaneOnEachAxis) {
     for (const char axis : {'x', 'y', 'z'}) {
         const std::string letter(1, static_cast<char>(axis - 'a' + 'A'));
         const Outcome r = run_ngc("G21 F3000\nG0 X50 Y50 Z-20\nG38.2 " + letter +
@@ -118,7 +118,7 @@ TEST(Probe, APlaneStopsItOnEachAxis) {
 
 // Z of the machine is Z of the program, and the offsets: the tool's end is at the plane in machine
 // coordinates.
-TEST(Probe, APlaneIsInMachineCoordinatesOfTheToolsEnd) {
+TEST(Probe, PlaneIsInMachineCoordinatesOfTcp) {
     const Outcome r = run_ngc(
         "G21 F60\nG10 L2 P1 Z2 R30\nG43.1 Z50\nG0 Z0\nG38.2 Z-20\n(debug,%.4f#5063)\nG43.1 Z60\n"
         "G38.5 Z9\n(debug,%.4f#5063)\nM2\n",
@@ -126,7 +126,7 @@ TEST(Probe, APlaneIsInMachineCoordinatesOfTheToolsEnd) {
     EXPECT_EQ(debug_texts(r), "-5.2000\n-5.2000\n");
 }
 
-TEST(Probe, APlaneIsLeftAgain) {
+TEST(Probe, LeavesPlaneAfterContact) {
     const Outcome r = run_ngc(
         "G21 F600\nG38.2 Z-20\nG38.4 Z5\n(debug,%.6f#5063 #5070)\nG38.3 Z-1\n(debug,%.1f#5063 #5070)\nM2\n",
         at_plane('z', -3.2));
@@ -134,7 +134,7 @@ TEST(Probe, APlaneIsLeftAgain) {
     EXPECT_NEAR(r.to(1, 'Z'), -3.2 + braking_mm(10), 1e-6);
 }
 
-TEST(Probe, ContactAsWantedBeforehandIsAnAlarmWhereItMustBeFound) {
+TEST(Probe, RejectsExpectedContactStateAtStart) {
     const std::string touched = "G21 F600\nG38.2 Z-20\n";
     expect_alarm(run_ngc(touched + "G38.2 Z-30\nM2\n", at_plane('z', -3)), 3,
                  {"G38.2 moves to a contact, but the probe already has contact at the start"});
@@ -145,7 +145,7 @@ TEST(Probe, ContactAsWantedBeforehandIsAnAlarmWhereItMustBeFound) {
     EXPECT_EQ(r.moves.size(), 1U);
 }
 
-TEST(Probe, NothingFoundIsAnAlarmAsOnTheControl) {
+TEST(Probe, RejectsMissingContactWithoutSurface) {
     const Conditions nothing = on_built_in({.kind = ProbeSurface::Kind::none});
     expect_alarm(run_ngc("G21 F600\nG38.2 Z-20\nM2\n", nothing), 2,
                  {"G38.2 has reached its end, but the probe has not made contact"});
@@ -159,7 +159,7 @@ TEST(Probe, NothingFoundIsAnAlarmAsOnTheControl) {
     EXPECT_TRUE(r.report.messages.warnings.empty());
 }
 
-TEST(Probe, TheMachineComesToRestBeforeIt) {
+TEST(Probe, StartsFromStandstill) {
     Conditions setup = at_plane('z', -3);
     setup.machine.controller.planner = rrs::PlannerKind::look_ahead;
     const Outcome r = run_ngc("G21 F3000 G64\nG1 X50\nG38.2 Z-100\nG1 X100\nM2\n", setup);
@@ -171,7 +171,7 @@ TEST(Probe, TheMachineComesToRestBeforeIt) {
     for (const motion::Segment& segment : r.segments) EXPECT_FALSE(segment.superimposed);
 }
 
-TEST(Probe, GoesOnFromWhereItStandsInALoopOfASubroutine) {
+TEST(Probe, ContinuesFromStopPositionInSubroutineLoop) {
     const Outcome r = run_ngc(
         "o1 sub\n#2=0\no2 while [#2 LT 3]\nG91 G38.2 X50\nG0 X-10\n#2=[#2+1]\no2 endwhile\no1 endsub\n"
         "G20 F40\nG21\no1 call\n(debug,%.4f#5061)\nM2\n",
@@ -180,12 +180,12 @@ TEST(Probe, GoesOnFromWhereItStandsInALoopOfASubroutine) {
     EXPECT_EQ(r.moves.size(), 6U);
 }
 
-TEST(Probe, CompensationRefusesIt) {
+TEST(Probe, RejectsProbingDuringCompensation) {
     Conditions setup = ngc_conditions();
     expect_alarm(run_ngc("G21 F50 T1 M6\nG41 G1 X5\nG38.2 X20\nM2\n", setup), 3, {"G38.2"});
 }
 
-TEST(Probe, WrongWords) {
+TEST(Probe, RejectsInvalidWords) {
     expect_alarm(run_ngc("G21 F50\nG38.2\nM2\n"), 2, {"G38.2"});
     expect_alarm(run_ngc("G21 F50\nG38.2 X0\nM2\n"), 2, {"begins at its end"});
     expect_alarm(run_ngc("G21\nG38.2 X5\nM2\n"), 2, {"feed"});

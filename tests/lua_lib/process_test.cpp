@@ -34,7 +34,7 @@ std::string findings(const Outcome& run) {
     return list;
 }
 
-TEST(Process, ItsWordsAreThoseOfTheMachineFile) {
+TEST(Process, MachineFileDefinesSwitchWords) {
     const char* program =
         "G21 F6000\nM62 P0\nG1 X10\nM63 P0\nG1 X30\nM101\nG1 X60\nM102\nG1 X100\nM62 P1\nG1 X150\nM8\nG1 "
         "X200\nM2\n";
@@ -47,7 +47,7 @@ TEST(Process, ItsWordsAreThoseOfTheMachineFile) {
     EXPECT_EQ(run.report.events[0].detail, "M62 P0");
 }
 
-TEST(Process, TheSameWordInEachDialect) {
+TEST(Process, SameWordSwitchesInEachDialect) {
     for (const char* dialect : {"ab9", "rs274ngc"}) {
         const Outcome run = script::run("G21\nM8\nG1 X10 F6000\nM9\nG0 X30\nM30\n", jet(dialect));
         EXPECT_NEAR(run.report.distances.process_on_mm, 10, 1e-9) << dialect;
@@ -57,7 +57,7 @@ TEST(Process, TheSameWordInEachDialect) {
 }
 
 // M62 switches at the start of the next motion; a dwell is none.
-TEST(Process, AnOutputWithTheNextMoveIsOffInTheDwellBeforeIt) {
+TEST(Process, OutputWithNextMoveIsOffDuringDwell) {
     const Outcome run = script::run("G21 F6000\nM62 P0\nG4 P5\nG1 X10\nM64 P1\nG4 P5\nM2\n",
                                     with_process(ProcessKind::jet, {{62, {}}, {64, {{'P', 1}}}}, {{63, {}}}));
     ASSERT_EQ(run.moves.size(), 3U);
@@ -66,7 +66,7 @@ TEST(Process, AnOutputWithTheNextMoveIsOffInTheDwellBeforeIt) {
     EXPECT_EQ(findings(run), "6:dwell-with-process-on 7:end-with-process-on ");
 }
 
-TEST(Process, AUserCodeSwitchesAndDoesWhatItIsDefinedTo) {
+TEST(Process, UserCodeSwitchesAndRunsItsDefinition) {
     Conditions setup = with_process(ProcessKind::plasma, {{101, {}}}, {{102, {}}}, "ab9");
     const Outcome run = run_lua(
         "M[101] = function(words) G4{p=words.q} end F(6000)\nM[101]{q=1} G1{x=10} M[102]() G1{x=20}", setup);
@@ -76,7 +76,7 @@ TEST(Process, AUserCodeSwitchesAndDoesWhatItIsDefinedTo) {
     EXPECT_EQ(run.events(), "plasma_on plasma_off");
 }
 
-TEST(Process, WhatTheSpindleDoesInCyclesAndToolChanges) {
+TEST(Process, ToolChangeAndOrientationSwitchSpindleOff) {
     const Outcome run =
         script::run("G21 F600 M3 S100\nG1 X10\nM6\nG1 X20\nM4\nG1 X30\nM19\nG1 X40\nM2\n", mill());
     ASSERT_TRUE(run.completed()) << run.message();
@@ -85,7 +85,7 @@ TEST(Process, WhatTheSpindleDoesInCyclesAndToolChanges) {
     EXPECT_EQ(findings(run), "4:feed-with-spindle-off 8:feed-with-spindle-off ");
 }
 
-TEST(Process, FindingsOfAJet) {
+TEST(Process, ReportsFindingsOfJet) {
     const char* program =
         "G1 F6000 Z10\nG0 X10\nM8\nG4 P3\nG1 X50\nG0 X60\nG0 X70\nM9\nG0 Y5\nG1 X90\nG1 Y20\nM9\nG0 Z50\nG1 "
         "X0\nG0 Z60\nM8\n"
@@ -105,7 +105,7 @@ TEST(Process, FindingsOfAJet) {
 }
 
 // The jet is switched on at the end of the path, which leads to the next cut.
-TEST(Process, AFeedMoveToTheNextCutIsNoFault) {
+TEST(Process, AcceptsFeedMoveToNextCut) {
     EXPECT_EQ(
         findings(script::run("G1 X10 F6000\nM8\nG1 X50\nM9\nG1 X60\nG1 Y5\nM8\nG1 X70\nM9\nM30\n", jet())),
         "");
@@ -138,14 +138,14 @@ TEST(Process, EachCheckCanBeSwitchedOff) {
     }
 }
 
-TEST(Process, ASpindleMayTurnUntilTheEndStopsIt) {
+TEST(Process, AcceptsSpindleOnUntilProgramEnd) {
     EXPECT_EQ(findings(script::run("G21 F600 M3 S100\nG1 X10\nM2\n", mill())), "");
     Conditions setup = mill();
     setup.options.dialect = "ab9";
     EXPECT_EQ(findings(run_lua("F(600) S(100) M3()\nG1{x=10}", setup)), "2:end-with-process-on ");
 }
 
-TEST(Process, WithoutATableM8OfTheNineSeriesIsAJetAndNothingIsLookedFor) {
+TEST(Process, Ab9M8IsJetWithoutChecksByDefault) {
     Conditions setup;
     setup.machine.process.reset();
     const Outcome run = script::run("M8\nG1 X10 F6000\nG0 X20\nM30\n", setup);

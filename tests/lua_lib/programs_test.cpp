@@ -7,11 +7,11 @@
 namespace gsim::script::programs_test {
 namespace {
 
-TEST(Programs, TheFirstOneRuns) {
+TEST(Programs, RunsFirstProgram) {
     expect_end(run("O1\nG0 X10\nM2\nO2\nG0 X20\nM99\n"), 10, 0, 0);
 }
 
-TEST(Programs, CallsAndRepeats) {
+TEST(Programs, CallsAndRepeatsSubprogram) {
     const std::string sub = "O2\nG91 G0 X10\nG90\nM99\n";
     expect_end(run("O1\nM98 P2\nM2\n" + sub), 10, 0, 0);
     expect_end(run("O1\nM98 P2 L3\nM2\n" + sub), 30, 0, 0);
@@ -19,12 +19,12 @@ TEST(Programs, CallsAndRepeats) {
     expect_end(run("O1\n#1=2\n#2=4\nM98 P#1 L#2\nM2\n" + sub), 40, 0, 0);
 }
 
-TEST(Programs, ModalStateGoesThroughCalls) {
+TEST(Programs, ModalStatePersistsAcrossCalls) {
     // The subprogram leaves G91 and G1 in force.
     expect_end(run("O1\nF1000 G0 X10\nM98 P2\nX5\nM2\nO2\nG91 G1 X1\nM99\n"), 16, 0, 0);
 }
 
-TEST(Programs, ACallComesBackPlainlyWhereOthersSayAtWhichBlockToGoOn) {
+TEST(Programs, CallReturnsWithOrWithoutTargetBlock) {
     const std::string sub = "O5\nIF [#100 EQ 2] GOTO 8\nM99\nN8 M99 P30\n";
     for (const char* call : {"M98 P5", "G65 P5"}) {
         const std::string main = std::string(call) + "\nG01 X50 F500\nN30 G01 X60 F500\nM30\n";
@@ -37,14 +37,14 @@ TEST(Programs, ACallComesBackPlainlyWhereOthersSayAtWhichBlockToGoOn) {
     }
 }
 
-TEST(Programs, AReturnThatSaysWhereToGoOnHoldsForItsCallAlone) {
+TEST(Programs, ReturnTargetAppliesToItsCallOnly) {
     // The first call continues at N20, the second one returns plainly.
     expect_end(run("O1\n#100=2\nM98 P5\nG0 Y1\nN20 #100=0\nM98 P5\nG0 X5\nM30\n"
                    "O5\nIF [#100 EQ 2] GOTO 8\nM99\nN8 M99 P20\n"),
                5, 0, 0);
 }
 
-TEST(Programs, AComputedJumpInALoopReachesTheBlocksOfTheLoop) {
+TEST(Programs, ComputedJumpInLoopReachesLoopBlocks) {
     const auto with = [](int target) {
         return run(
             fmt::format("#9={}\nWHILE [#1 LT 2] DO1\n#1=#1+1\nGOTO #9\nG0 X[10*#1]\nN20 G0 Y[10*#1]\n"
@@ -64,7 +64,7 @@ TEST(Programs, AComputedJumpInALoopReachesTheBlocksOfTheLoop) {
                  {"[jump]", "GOTO 20", "cannot enter a loop from outside"});
 }
 
-TEST(Programs, ACallInALoopGoesOnAtABlockOfTheLoop) {
+TEST(Programs, CallInLoopReturnsToLoopBlock) {
     expect_end(run("O1\nWHILE [#100 LT 2] DO1\n#100=#100+1\nM98 P5\nG0 X99\nN20 G91 G0 "
                    "Y1\nEND1\nM30\nO5\nM99 P20\n"),
                0, 2, 0);
@@ -78,7 +78,7 @@ TEST(Programs, NestToEightLevels) {
     expect_alarm(run("O1\nM98 P2\nM2\nO2\nM98 P2\nM99\n"), 5, {"nested", "8"});
 }
 
-TEST(Programs, AMissingOneIsAnAlarm) {
+TEST(Programs, RejectsMissingProgram) {
     expect_alarm(run("O1\nG0 X1\n\nM98 P77\nM2\n"), 4, {"O77"});
     expect_alarm(run("O1\nG0 X1\nM98 P[1.5]\nM2\n"), 3, {"P", "1.5"});
     expect_alarm(run("O1\nG0 X1\nM98 P1 L[0-1]\nM2\n"), 3, {"L", "-1"});
@@ -89,7 +89,7 @@ TEST(Programs, AMissingOneIsAnAlarm) {
                  {"[word-value]", "P of M98", "integer", "4294967297"});
 }
 
-TEST(Programs, OneIsFoundBesideTheFile) {
+TEST(Programs, FindsExternalProgram) {
     Conditions setup;
     setup.options.find_program = [](const std::string& number) -> Result<std::optional<Script>> {
         if (number == "7")
@@ -106,18 +106,18 @@ TEST(Programs, OneIsFoundBesideTheFile) {
     expect_alarm(run("O1\nM98 P9\nM2\n", setup), 2, {"O9"});
 }
 
-TEST(Programs, EndInASubprogramEndsTheRun) {
+TEST(Programs, EndInSubprogramEndsRun) {
     expect_end(run("O1\nM98 P2\nG0 X99\nM2\nO2\nG0 X5\nM2\nG0 X6\nM99\n"), 5, 0, 0);
     expect_end(run("O1\nM98 P2\nG0 X99\nM2\nO2\nG0 X5\nM30\n"), 5, 0, 0);
 }
 
-TEST(Programs, AMainProgramWithoutEndEnds) {
+TEST(Programs, AcceptsMainProgramWithoutEnd) {
     expect_end(run("G0 X5"), 5, 0, 0);
     EXPECT_TRUE(run("").completed());
     EXPECT_TRUE(run("%\n%\n").completed());
 }
 
-TEST(Programs, M99InTheMainProgramIsTheEndOfAPass) {
+TEST(Programs, M99InMainProgramEndsPass) {
     const Outcome one = run("G0 X100\nX0\nM99\n");
     expect_end(one, 0, 0, 0);
     EXPECT_EQ(one.moves.size(), 2U);
@@ -137,7 +137,7 @@ TEST(Programs, M99InTheMainProgramIsTheEndOfAPass) {
     EXPECT_EQ(run("O1\nM98 P2\nM30\nO2\nG0 X1\nM99\n").report.passes, std::nullopt) << "a return is none";
 }
 
-TEST(Programs, APassMayEndByM30) {
+TEST(Programs, M30EndsPasses) {
     Conditions setup;
     setup.options.passes = 9;
     const Outcome r = run("#1=#1+1\nG91 G0 X1\nIF [#1 EQ 3] GOTO 5\nM99\nN5 M30\n", setup);
@@ -145,7 +145,7 @@ TEST(Programs, APassMayEndByM30) {
     EXPECT_EQ(r.report.passes->count, 2U) << "the third one comes to M30";
 }
 
-TEST(Programs, AJumpBackAtTheEndOfTheMainProgramIsAPassToo) {
+TEST(Programs, JumpBackAtEndOfMainProgramEndsPass) {
     for (const char* last : {"M99 P10", "GOTO 10", "/M99 P10"}) {
         const std::string gcode = "G0 X5\nN10 G91 G0 Y1\n" + std::string(last) + "\n%\n";
         const Outcome one = run(gcode);
@@ -164,7 +164,7 @@ TEST(Programs, AJumpBackAtTheEndOfTheMainProgramIsAPassToo) {
     expect_end(run("N10 G91 G0 Y1\n#1=#1+1\nIF [#1 EQ 3] GOTO 20\nM99 P10\nN20 M30\n"), 0, 3, 0);
 }
 
-TEST(Programs, PassesEndAtTheLimitsOfTheRun) {
+TEST(Programs, PassesStopAtRunLimits) {
     Conditions setup;
     setup.options.passes = 1000;
     setup.limits.max_time_s = 10;
@@ -179,7 +179,7 @@ TEST(Programs, PassesEndAtTheLimitsOfTheRun) {
     EXPECT_EQ(blocks.report.counts.blocks, 100U);
 }
 
-TEST(Programs, ALoopWithoutMotionEndsByItsSteps) {
+TEST(Programs, LoopWithoutMotionStopsAtStepLimit) {
     Conditions setup;
     setup.options.limits.steps = 1'000'000;
     // In parts the loop runs the same, but may end at another step.
@@ -190,7 +190,7 @@ TEST(Programs, ALoopWithoutMotionEndsByItsSteps) {
     expect_stopped(run("N1 GOTO1\nM30\n", setup), "--max-steps");
 }
 
-TEST(Programs, BlockDelete) {
+TEST(Programs, BlockDeleteSkipsBlocks) {
     Conditions setup;
     EXPECT_EQ(run("G0 X1\n/X2\n/2 X3\n").end()[0], 3);
     setup.options.block_delete = true;
@@ -199,7 +199,7 @@ TEST(Programs, BlockDelete) {
     expect_end(run("GOTO9\nX5\n/N9 G0 X2\nG0 Y3\n", setup), 0, 3, 0);
 }
 
-TEST(Programs, OptionalStopIsAnEventEitherWay) {
+TEST(Programs, ReportsOptionalStopIfOnOrOff) {
     Conditions setup;
     EXPECT_EQ(run("M1\n").report.events.at(0).detail, "off: skipped");
     setup.options.optional_stop = true;
@@ -211,7 +211,7 @@ TEST(Programs, BlocksAreCountedOnce) {
     EXPECT_EQ(run("O1\nM98 P2 L5\nM2\nO2\nG91 G0 X1\nM99\n").report.counts.blocks, 12U);
 }
 
-TEST(Places, AnAlarmOfAnExpressionIsOfItsOwnLine) {
+TEST(SourceLocations, ExpressionAlarmHasItsLine) {
     expect_alarm(run("G0 X1\n\n#1=1/0\n"), 3, {"division by zero"});
     expect_alarm(run("G0 X1\n#1=SQRT[-4]\n"), 2, {"SQRT", "-4"});
     expect_alarm(run("G0 X1\nG0 X[1/0]\n"), 2, {"division by zero"});
@@ -221,7 +221,7 @@ TEST(Places, AnAlarmOfAnExpressionIsOfItsOwnLine) {
     expect_alarm(run("G0 X1\n\nGOTO[#1+3]\nN2\n"), 3, {"3"});
 }
 
-TEST(Places, MovesHaveTheLineOfTheGCode) {
+TEST(SourceLocations, MovesHaveLineOfGCode) {
     const Outcome r = run("(head)\nO1\nG0 X1\n\nX2 (two)\nM98 P2\nM2\nO2\nX3\nM99\n");
     ASSERT_EQ(r.moves.size(), 3U);
     EXPECT_EQ(r.moves[0].info.location.line, 3U);

@@ -263,7 +263,7 @@ void expect_move(const Wanted& move, const Outcome& r, std::size_t n) {
     }
 }
 
-TEST(RandomPrograms, EveryMoveIsWhereItsBlockSaysAndKeepsTheLimits) {
+TEST(RandomPrograms, EachMoveMatchesItsBlockAndKeepsLimits) {
     std::size_t moves = 0;
     for (unsigned seed = 1; seed <= kPrograms; ++seed) {
         const Generator program(seed);

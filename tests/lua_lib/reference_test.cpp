@@ -24,7 +24,7 @@ std::string read_file_text(const fs::path& path) {
 const fs::path kSource = tests::source_path();
 
 // 129.99 s was worked out by hand, from each joint's own trapezoid, as with independent_ramps.
-TEST(Reference, TheWheelOnTheCalibratedMachine) {
+TEST(Reference, WheelMatchesCalculatedTimeAndLength) {
     Conditions setup;
     setup.machine = machine::load_machine(kSource / "samples/machines/af5-measured.toml").value();
     for (const auto& [independent_ramps, time_s] : {std::pair{true, 129.99}, std::pair{false, 131.44}}) {
@@ -38,7 +38,7 @@ TEST(Reference, TheWheelOnTheCalibratedMachine) {
 }
 
 // The program as the thesis prints it, which is not part of this project.
-TEST(Reference, AppendixJAsWritten) {
+TEST(Reference, AppendixJMatchesCalculatedTimeAndLength) {
     const char* const folder = std::getenv("GSIM_REFERENCE");
     const fs::path path = fs::path(folder != nullptr ? folder : "") / "appendix_j.nc";
     if (!fs::is_regular_file(path)) GTEST_SKIP() << "no appendix_j.nc in the folder GSIM_REFERENCE";

@@ -22,7 +22,7 @@ bool ends_at(const Outcome& run, double x, double y) {
 
 const std::string kHole = "F600 S100 M3\nG90 G0 X10 Y10 Z100\nG99\n";
 
-TEST(Boring, StopsTheSpindleBelowAndDrawsTheToolOut) {
+TEST(Boring, G86StopsSpindleAtBottomAndRetractsByRapid) {
     const Outcome r = run(kHole + "G86 Z40 R60 P1\nM30\n");
     EXPECT_EQ(r.events().substr(0, 33), "spindle_cw spindle_off spindle_cw") << r.events();
     ASSERT_EQ(r.moves.size(), 5U) << "to the place, R, the bottom, the dwell, R";
@@ -33,7 +33,7 @@ TEST(Boring, StopsTheSpindleBelowAndDrawsTheToolOut) {
     EXPECT_EQ(r.moves[4].info.kind, simulation::MoveKind::rapid);
 }
 
-TEST(Boring, LeavesTheToolToTheOperatorBelow) {
+TEST(Boring, G88StopsForOperatorAtBottom) {
     const Outcome r = run(kHole + "G88 Z40 R60\nM30\n");
     EXPECT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.events().substr(0, 38), "spindle_cw spindle_off stop spindle_cw") << r.events();
@@ -41,7 +41,7 @@ TEST(Boring, LeavesTheToolToTheOperatorBelow) {
     EXPECT_NEAR(r.end()[2], 60, kClose_mm);
 }
 
-TEST(Boring, FeedsOutAfterADwell) {
+TEST(Boring, G89FeedsOutAfterDwell) {
     const Outcome r = run(kHole + "G89 Z40 R60 P2\nM30\n");
     ASSERT_EQ(r.moves.size(), 5U) << r.message();
     EXPECT_NEAR(r.seconds(3), 2, 1e-6);
@@ -61,7 +61,7 @@ Outcome run_compensated(const std::string& gcode) {
 
 // The tool passes the intersection of both paths: a line 3 off y = 0, and a circle of radius 10 - 3 about
 // (10, 0).
-TEST(SidesThatChange, AtTheMeetingPointOfALineAndACircle) {
+TEST(CompensationSideChange, PassesIntersectionOfLineAndCircle) {
     const double x = 10 + std::sqrt(7 * 7 - 3 * 3);
     const Outcome out = run_compensated("G41 D1\nG1 X0\nX20\nG42\nG2 X20 Y0 I-10 J0\n");
     EXPECT_TRUE(out.completed()) << out.message();
@@ -71,7 +71,7 @@ TEST(SidesThatChange, AtTheMeetingPointOfALineAndACircle) {
     EXPECT_TRUE(ends_at(in, x, -3));
 }
 
-TEST(SidesThatChange, AtTheMeetingPointOfTwoCircles) {
+TEST(CompensationSideChange, PassesIntersectionOfTwoCircles) {
     const double half_chord = std::sqrt(7 * 7 - 10.0), d = std::sqrt(40.0);
     const Outcome r =
         run_compensated("G1 X20 Y-20\nG42 D1\nX20 Y0\nG2 X20 Y0 I-10 J0\nG41\nG3 X20 Y0 I-8 J6\n");
@@ -81,7 +81,7 @@ TEST(SidesThatChange, AtTheMeetingPointOfTwoCircles) {
 
 // --- Angles (,A) ---
 
-TEST(OpenAngles, NeedTheLineThatEndsThem) {
+TEST(OpenAngles, RequireNextLineWithAngle) {
     const std::string start = "F600\nG0 X0 Y0\nG1 ,A30\n";
     for (const char* next : {"G0 X10\n", "G2 X10 Y0 I5 J0\n", "M30\n"}) {
         expect_alarm(run(start + next), 4, {"[corner]", ",A without an end", "a next block with ,A"});
@@ -93,12 +93,12 @@ TEST(OpenAngles, NeedTheLineThatEndsThem) {
 
 // --- RS274/NGC ---
 
-TEST(SeldomNgc, APolarIncrementAtTheZeroPointHasNoDirection) {
+TEST(RareNgcWords, RejectsPolarIncrementAtZeroPoint) {
     expect_alarm(run_ngc("G21 F100\nG0 X0 Y0 Z10\nG91 G81 @0 ^30 R0 Z-5 L2\n"),
                  "no direction at the zero point");
 }
 
-TEST(SeldomNgc, G10WritesTheWholeToolAndRefusesAnOrientationThatIsNone) {
+TEST(RareNgcWords, G10WritesFullToolAndRejectsInvalidOrientation) {
     const Outcome r =
         run_ngc("G21\nG10 L1 P1 Z12 R4 I30 J-30 Q3\nT1 M6 G43\n(debug,#5403 #5410 #5411 #5412 #5413)\n");
     EXPECT_EQ(debug_texts(r), "0.472441 0.314961 30.000000 -30.000000 3.000000\n")

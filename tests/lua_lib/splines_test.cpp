@@ -43,7 +43,7 @@ void expect_tangent_joints(const Outcome& run) {
     }
 }
 
-TEST(Splines, AQuadraticOneIsAParabola) {
+TEST(Splines, QuadraticSplineIsParabola) {
     // Control points (0,0), (1,1), (2,0): y = x - x^2 / 2.
     const Outcome r = run_ngc("G21 F100\nG5.1 X2 Y0 I1 J1\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
@@ -55,7 +55,7 @@ TEST(Splines, AQuadraticOneIsAParabola) {
     expect_tangent_joints(r);
 }
 
-TEST(Splines, ACubicOneGoesOnWhereTheLastOneLed) {
+TEST(Splines, CubicSplineContinuesInPreviousDirection) {
     // x runs evenly (control points 0, 1, 2, 3), so y is a cubic of x / 3; the second curve has I J of the
     // first P Q.
     const Outcome r = run_ngc("G21 F100\nG5 X3 Y0 I1 J2 P-1 Q2\nG5 X6 Y0 P-1 Q-2\nM2\n");
@@ -68,7 +68,7 @@ TEST(Splines, ACubicOneGoesOnWhereTheLastOneLed) {
     }
 }
 
-TEST(Splines, WeightsMakeAnExactCircle) {
+TEST(Splines, WeightsMakeExactCircle) {
     const Outcome r =
         run_ngc(fmt::format("G21 F100\nG5.2 P1 L3\nX10 Y0 P{}\nX10 Y10 P1\nG5.3\nM2\n", std::sqrt(0.5)));
     ASSERT_TRUE(r.completed()) << r.message();
@@ -76,7 +76,7 @@ TEST(Splines, WeightsMakeAnExactCircle) {
     for (const Point& at : driven(r)) EXPECT_NEAR(std::hypot(at[0], at[1] - 10), 10, 1e-5);
 }
 
-TEST(Splines, SpansMeetAtTheWeightedMiddleOfTheirControlPoints) {
+TEST(Splines, SpansMeetAtWeightedMidpointOfControlPoints) {
     const Outcome r = run_ngc("G21 F100\nG5.2 X0 Y10 P2 L3\nX10 Y10 P1\nX10 Y0 P1\nG5.3\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
     const Point midpoint{(2 * 0 + 1 * 10) / 3.0, 10};
@@ -88,14 +88,14 @@ TEST(Splines, SpansMeetAtTheWeightedMiddleOfTheirControlPoints) {
     EXPECT_NEAR(ends.back()[1], 0, 1e-12);
 }
 
-TEST(Splines, AreTurnedWithTheSystem) {
+TEST(Splines, RotateWithWorkCoordinateSystem) {
     const Outcome r = run_ngc("G21 F100 G10 L2 P1 R90\nG5.1 X2 Y0 I1 J1\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
     for (const Point& end : ends_of(r)) EXPECT_NEAR(-end[0], end[1] - end[1] * end[1] / 2, 1e-9);
 }
 
 // Control points that coincide, or lie on a line: no part is left out, and no position is lost.
-TEST(Splines, OddOnesLeadToTheirEnd) {
+TEST(Splines, DegenerateSplinesReachTheirEnd) {
     for (const char* spline :
          {"G5 X3 Y0 I1 J0 P-1 Q0", "G5 X3 Y1 I0 J0 P0 Q0", "G5.1 X4 Y0 I2 J0", "G5 X1 Y0 I4 J0 P4 Q0",
           "G5 X0.001 Y0 I5 J5 P-5 Q5", "G5.2 X1 Y1 P1 L2\nX2 Y0 P1\nX2 Y0 P1\nG5.3"}) {
@@ -108,13 +108,13 @@ TEST(Splines, OddOnesLeadToTheirEnd) {
     }
 }
 
-TEST(Splines, TakeTheTimeOfTheirBlockTogether) {
+TEST(Splines, InverseTimeAppliesToFullSpline) {
     const Outcome r = run_ngc("G21 G93\nG5.1 X20 Y0 I10 J10 F2\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
     EXPECT_NEAR(r.report.cycle_time_s, 30, 1e-6);
 }
 
-TEST(Splines, TheMotionBeforeThemStaysModal) {
+TEST(Splines, PreviousMotionStaysModal) {
     for (const char* spline : {"G5 X2 Y0 I1 J1 P-1 Q1", "G5.1 X2 Y0 I1 J1"}) {
         const Outcome r = run_ngc(fmt::format("G21 F100\nG0 X0\n{}\nX5\nM2\n", spline));
         ASSERT_TRUE(r.completed()) << r.message();
@@ -123,7 +123,7 @@ TEST(Splines, TheMotionBeforeThemStaysModal) {
     }
 }
 
-TEST(Splines, WrongWords) {
+TEST(Splines, RejectsInvalidWords) {
     expect_alarm(run_ngc("G21 F100\nG5 X1 Y1 I1 P1 Q1\nM2\n"), 2, {"I and J"});
     expect_alarm(run_ngc("G21 F100\nG5 X1 Y1 I1 J1 P1\nM2\n"), 2, {"P and Q"});
     expect_alarm(run_ngc("G21 F100\nG5.1 X1 Y1 I1\nM2\n"), 2, {"I and J"});

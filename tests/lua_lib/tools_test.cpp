@@ -14,18 +14,18 @@ Outcome run_rs274(const std::string& lua, const Conditions& setup = with_tools()
     return run_ngc_lua(lua, setup);
 }
 
-TEST(ToolsNgc, SelectAndChange) {
+TEST(ToolsNgc, SelectionAndChangeAreReported) {
     const Outcome r = run_rs274("T(1)\nM6()\nT(2)\nM6()");
     EXPECT_EQ(r.events(), "tool_select tool_change tool_select tool_change");
     EXPECT_EQ(r.report.events.at(1).detail, "T1");
     EXPECT_EQ(r.report.events.at(3).detail, "T2");
 }
 
-TEST(ToolsNgc, AChangeStopsTheSpindle) {
+TEST(ToolsNgc, ChangeStopsSpindle) {
     EXPECT_EQ(run_rs274("M3() T(1) M6()").events(), "spindle_cw tool_select spindle_off tool_change");
 }
 
-TEST(ToolsNgc, TheLengthIsThatOfTheLoadedToolOrOfH) {
+TEST(ToolsNgc, LengthComesFromLoadedToolOrH) {
     expect_end(run_rs274("G43() G0{z=5}"), 0, 0, 5);
     expect_end(run_rs274("T(1) M6()\nG43() G0{z=5}"), 0, 0, 15);
     expect_end(run_rs274("T(1) M6()\nG43{h=2} G0{z=5}"), 0, 0, 30);
@@ -34,13 +34,13 @@ TEST(ToolsNgc, TheLengthIsThatOfTheLoadedToolOrOfH) {
     expect_end(run_rs274("M61{q=2} G43() G0{z=5}"), 0, 0, 30);
 }
 
-TEST(ToolsNgc, AnOffsetMovesNothingByItself) {
+TEST(ToolsNgc, OffsetAloneCausesNoMotion) {
     const Outcome r = run_rs274("G0{z=100}\nG43{h=2}\nG0{x=10}\nG91() G0{z=1}");
     expect_end(r, 10, 0, 101);
     EXPECT_EQ(r.moves.size(), 3U);
 }
 
-TEST(ToolsNgc, OffsetsOfAnyAxesAsWritten) {
+TEST(ToolsNgc, DynamicOffsetsApplyToAnyAxis) {
     expect_end(run_rs274("G43_1{x=5, z=7} G0{x=1, y=2, z=3}"), 6, 2, 10);
     expect_end(run_rs274("G43_1{x=5} G43_1{z=7} G0{x=1, z=3}"), 6, 0, 10);
     expect_end(run_rs274("G20() G43_1{z=1} G0{z=1}"), 0, 0, 50.8);
@@ -50,7 +50,7 @@ TEST(ToolsNgc, OffsetsOfAnyAxesAsWritten) {
     expect_alarm(run_rs274("G43_2{h=1, z=2}"), "G43.2");
 }
 
-TEST(ToolsNgc, NumbersThatTheTableDoesNotKnow) {
+TEST(ToolsNgc, RejectsNumbersMissingInTable) {
     expect_alarm(run_rs274("T(5)"), "it has 1, 2");
     expect_alarm(run_rs274("G43{h=5}"), "H5");
     expect_alarm(run_rs274("M61{q=5}"), "Q5");
@@ -59,7 +59,7 @@ TEST(ToolsNgc, NumbersThatTheTableDoesNotKnow) {
 }
 
 // Missing lengths can be taken as 0, a missing diameter cannot.
-TEST(ToolsNgc, WithoutATableLengthsAreNoneAndSaidSo) {
+TEST(ToolsNgc, WarnsOfZeroLengthsWithoutTable) {
     const Outcome r = run_rs274("T(1) M6() G43() G0{z=5}", {});
     expect_end(r, 0, 0, 5);
     ASSERT_EQ(r.report.messages.warnings.size(), 1U);
@@ -67,14 +67,14 @@ TEST(ToolsNgc, WithoutATableLengthsAreNoneAndSaidSo) {
     expect_alarm(run_rs274("T(1) M6() G41{d=1} G1{x=10}", {}), "section TOOL");
 }
 
-TEST(ToolsAb9, TheLengthIsAddedOrTakenAway) {
+TEST(ToolsAb9, G43AddsAndG44SubtractsLength) {
     expect_end(run_ab9("G43{h=2} G0{z=5}"), 0, 0, 30);
     expect_end(run_ab9("G44{h=2} G0{z=50}"), 0, 0, 25);
     expect_end(run_ab9("G43{h=2} G0{z=5}\nG49() G0{z=5}"), 0, 0, 5);
     expect_end(run_ab9("G43{h=2} G0{z=5}\nG43{h=0} G0{z=5}"), 0, 0, 5);
 }
 
-TEST(ToolsAb9, HAloneCallsAnotherOffset) {
+TEST(ToolsAb9, HAloneSelectsAnotherOffset) {
     expect_end(run_ab9("H(1) G0{z=5}"), 0, 0, 5);  // no offset is active
     expect_end(run_ab9("H(1) G43() G0{z=5}"), 0, 0, 15);
     expect_end(run_ab9("G43{h=1} H(2) G0{z=5}"), 0, 0, 30);
@@ -82,7 +82,7 @@ TEST(ToolsAb9, HAloneCallsAnotherOffset) {
     expect_end(run_ab9("G43{h=1} H(0) G0{z=5}"), 0, 0, 5);
 }
 
-TEST(ToolsAb9, NumbersOfToolsAreNotThoseOfOffsets) {
+TEST(ToolsAb9, ToolNumbersAreIndependentOfOffsetNumbers) {
     const Outcome r = run_ab9("T(7) M6()\nD(3)");
     EXPECT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.events(), "tool_select tool_change");

@@ -50,7 +50,7 @@ void expect_list(const Outcome& run, const std::vector<Wanted>& expected_value) 
     }
 }
 
-TEST(Violations, AllAreListedInOnePassAndTheRunGoesOn) {
+TEST(Violations, AllAreListedAndRunContinues) {
     const char* program = "G0 X10 Y10\nG1 X-5 Y-2 F6000\nG1 X20\nG1 Y2500\nG1 Y100 B-400\nG1 B0\nM30\n";
     const Outcome run = script::run(program, continues());
     EXPECT_EQ(run.report.status, RunStatus::violations);
@@ -71,34 +71,34 @@ TEST(Violations, AllAreListedInOnePassAndTheRunGoesOn) {
     EXPECT_EQ(run.report.cycle_time_s, free.report.cycle_time_s);
 }
 
-TEST(Violations, AnArcCountsByItsFarthestPoint) {
+TEST(Violations, ArcCountsByFarthestPoint) {
     const Outcome run = script::run("G0 X10 Y100\nG3 X10 Y60 I0 J-20 F6000\nG0 X30\nM30\n", continues());
     expect_list(run, {{2, 'X', -10, 0}});  // about X10 Y80, radius 20
     EXPECT_EQ(run.moves[1].info.out_of_range, 1U);
     EXPECT_EQ(run.moves[2].info.out_of_range, 0U);
 }
 
-TEST(Violations, AMoveThatComesBackIsNone) {
+TEST(Violations, MoveBackIntoRangeIsNone) {
     const Outcome run = script::run("G1 X-5 F6000\nG1 X-3\nG2 X5 Y8 I4 J4\nG1 X8\nM30\n", continues());
     expect_list(run, {{1, 'X', -5, 0}, {2, 'X', -3, 0}, {3, 'X', 1 - std::sqrt(32.0), 0}});
     const Outcome back = script::run("G1 X-5 F6000\nG1 X10\nM30\n", continues());
     expect_list(back, {{1, 'X', -5, 0}});
 }
 
-TEST(Violations, TheListIsBoundedAndTheCountIsNot) {
+TEST(Violations, LimitsListButCountsAll) {
     const Outcome run = run_lua("F(60000) for i = 1, 600 do G1{x=-1} G1{x=-2} end", continues());
     EXPECT_EQ(run.report.violations.list.size(), 1000U);
     EXPECT_EQ(run.report.violations.count, 1200U);
 }
 
-TEST(Violations, StopAtFirstEndsTheRunThere) {
+TEST(Violations, StopAtFirstEndsRun) {
     const Outcome run = script::run("G0 X10\nG1 X-5 F6000\nG1 X-6\n");
     expect_alarm(run, 2, {"axis X would move to -5 mm, past its limit of 0 mm"});
     EXPECT_TRUE(run.report.violations.list.empty());
     EXPECT_EQ(run.moves.size(), 1U);
 }
 
-TEST(Violations, WhatTheControlCannotGoOnFromStillStops) {
+TEST(Violations, UnrecoverableErrorStillStopsRun) {
     const Outcome run = script::run("G1 X-5 F6000\nG2 X10 Y10 I50 J3\nG1 X-6\n", continues());
     expect_alarm(run, 2, {"the arc is impossible"});
     expect_list(run, {{1, 'X', -5, 0}});
@@ -108,7 +108,7 @@ TEST(Violations, WhatTheControlCannotGoOnFromStillStops) {
                  4, {"status -7"});
 }
 
-TEST(Violations, CallsAndWorkOffsetsAreNamed) {
+TEST(Violations, ReportCallsAndWorkOffset) {
     const Outcome run = script::run("O1\nG55\nM98 P2\nM30\nO2\nG0 X-5\nM99\n", continues());
     ASSERT_EQ(run.report.violations.list.size(), 1U);
     const Violation& violation = run.report.violations.list[0];
@@ -119,7 +119,7 @@ TEST(Violations, CallsAndWorkOffsetsAreNamed) {
 }
 
 // The list has one entry for each time that the tool enters, with the depth of entry.
-TEST(Violations, EachEntryIntoAForbiddenZone) {
+TEST(Violations, EachEntryIntoForbiddenZoneIsListed) {
     const Outcome run = script::run("G1 X110 F6000\nG1 X140\nG1 X90\nG1 X300\nG1 X250\nM30\n",
                                     with_zone(machine::ZoneKind::enter_forbidden, 100, 200));
     EXPECT_EQ(run.report.status, RunStatus::violations);
@@ -134,7 +134,7 @@ TEST(Violations, EachEntryIntoAForbiddenZone) {
     EXPECT_EQ(run.moves.size(), 5U);
 }
 
-TEST(Violations, OneMoveInAndOutTwice) {
+TEST(Violations, MoveLeavingZoneAndReturningIsListed) {
     // A circle about X150, radius 60, in a zone from X100 on: it leaves it and comes back in one move.
     const Outcome run = script::run("G0 X150 Y160\nG0 X210 Y100\nG3 I-60 F6000\nM30\n",
                                     with_zone(machine::ZoneKind::leave_forbidden, 100, 300));
@@ -145,7 +145,7 @@ TEST(Violations, OneMoveInAndOutTwice) {
               "limit at X 100 mm, and must stay inside");
 }
 
-TEST(Violations, ShiftsThatBringAllBack) {
+TEST(Violations, SuggestShiftsIntoRange) {
     const Outcome run = script::run("G54\nG0 X-12.5 Y10\nG55\nG0 Y2440 X10\nM30\n", continues());
     const auto& shifts = run.report.violations.shifts;
     ASSERT_EQ(shifts.size(), 2U);
@@ -159,7 +159,7 @@ TEST(Violations, ShiftsThatBringAllBack) {
     EXPECT_TRUE(script::run("G0 B-400\nM30\n", continues()).report.violations.shifts.empty());
 }
 
-TEST(Violations, TheSameWithALookAheadController) {
+TEST(Violations, AreListedWithLookAheadController) {
     Conditions setup = continues();
     setup.machine.controller.planner = rrs::PlannerKind::look_ahead;
     const Outcome run = script::run("G1 X10 F6000\nG1 X-5\nG1 Y50\nG1 X20\nG1 Y-3\nM30\n", setup);

@@ -31,7 +31,7 @@ bool checks_words_itself(const grammar::Code& code) {
 
 class WordKeys : public testing::TestWithParam<const char*> {};
 
-TEST_P(WordKeys, AreThoseOfTheDialect) {
+TEST_P(WordKeys, MatchDialect) {
     Conditions setup;
     setup.options.dialect = GetParam();
     std::size_t checked_bodies = 0;
@@ -48,7 +48,7 @@ TEST_P(WordKeys, AreThoseOfTheDialect) {
 
 INSTANTIATE_TEST_SUITE_P(Dialects, WordKeys, testing::Values("ab9", "rs274ngc"));
 
-TEST_P(WordKeys, AndSoIsWhatCompensationRefuses) {
+TEST_P(WordKeys, RejectionsDuringCompensationMatchDialect) {
     using grammar::Compensation;
     Conditions setup = with_tools();
     setup.options.dialect = GetParam();
@@ -75,7 +75,7 @@ std::string said(const std::string& script) {
     return r.message();
 }
 
-TEST(WordAdvice, SaysWhatToWrite) {
+TEST(WordSuggestions, NameCorrectWord) {
     EXPECT_EQ(said("G1{X=100}"), "'X' is not a word of this motion; write x");
     EXPECT_EQ(said("G2{x=1, I=2}"), "'I' is not a word of this motion; write i");
     EXPECT_EQ(said("G28{X=1}"), "'X' is not a word of G28; write x");
@@ -88,7 +88,7 @@ TEST(WordAdvice, SaysWhatToWrite) {
     EXPECT_EQ(said("G28{radios=1}"), "'radios' is not a word of G28; did you mean radius?");
 }
 
-TEST(Choices, TellAllWordsAndTheNearest) {
+TEST(EnumArguments, ErrorListsValuesAndSuggestsNearest) {
     EXPECT_EQ(said("rrs.SelectMotionType(\"Linear\")"),
               "bad argument #1 to 'SelectMotionType' ('Linear' must be one of \"joint\", \"linear\", "
               "\"circular\"; did you mean \"linear\"?)");
@@ -96,7 +96,7 @@ TEST(Choices, TellAllWordsAndTheNearest) {
               "bad argument #1 to 'SelectTargetType' ('xy' must be one of \"cartesian\", \"joint\")");
 }
 
-TEST(Errors, NameTheFunctionHoweverItIsCalled) {
+TEST(ArgumentErrors, NameFunctionForAnyCall) {
     EXPECT_EQ(said("local done, text = pcall(rrs.SetCartesianPositionSpeed, \"a\") error(text, 0)"),
               "bad argument #1 to 'rrs.SetCartesianPositionSpeed' (number expected, got string)");
     EXPECT_EQ(said("table.concat(5)"), "bad argument #1 to 'table.concat' (table expected, got number)");

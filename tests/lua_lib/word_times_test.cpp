@@ -38,7 +38,7 @@ const WordTimes kTimes{.tool_change_s = 8,
                        .process_off_s = 0.2,
                        .codes_s = {{4, 3}, {100, 0.75}}};
 
-TEST(WordTimes, OfEachWordByWhatItDoes) {
+TEST(WordTimes, DependOnEffectOfWord) {
     EXPECT_EQ(taken_s("T1 M6", kTimes), 8);
     EXPECT_EQ(taken_s("M7", kTimes), 0.5);
     EXPECT_EQ(taken_s("M8", kTimes), 0.5);
@@ -49,7 +49,7 @@ TEST(WordTimes, OfEachWordByWhatItDoes) {
     EXPECT_EQ(taken_s("M8\nM9\nM8", kTimes), 1.25);
 }
 
-TEST(WordTimes, OfWhatWritesTheTableOfTools) {
+TEST(WordTimes, ApplyToToolTableWrites) {
     for (const char* const word : {"G10 L1 P1 Z5", "G10 L10 P1 Z5", "G10 L11 P1 Z5"})
         EXPECT_EQ(taken_s(word, kTimes), 0.0625) << word;
     for (const char* const word : {"G10 L2 P1 X0", "G10 L20 P1 X10", "G10 L0"})
@@ -59,19 +59,19 @@ TEST(WordTimes, OfWhatWritesTheTableOfTools) {
     EXPECT_EQ(taken_s("G10 L2 P1 X0 Y0", kTimes, "ab9"), 0);
 }
 
-TEST(WordTimes, ANumberGoesBeforeAName) {
+TEST(WordTimes, CodeNumberPrecedesNamedTime) {
     EXPECT_EQ(taken_s("M4 S100", kTimes), 3);
     EXPECT_EQ(taken_s("M3 S100", {.spindle_start_s = 2, .codes_s = {{3, 0}}}), 0);
 }
 
 // An undefined user code takes its time and has no other effect.
-TEST(WordTimes, OfUserCodes) {
+TEST(WordTimes, ApplyToUserCodes) {
     EXPECT_EQ(taken_s("M100", kTimes), 0.75);
     EXPECT_EQ(taken_s("M100 P1 Q2", kTimes), 0.75);
     expect_alarm(run("G21\nM101\nM2\n", with_times(kTimes)), "M101");
 }
 
-TEST(WordTimes, OfTheProcess) {
+TEST(WordTimes, ApplyToProcessWords) {
     EXPECT_EQ(taken_s("M8", kTimes, "ab9"), 0.3);  // the waterjet's jet
     EXPECT_EQ(taken_s("M9", kTimes, "ab9"), 0.2);
     Conditions laser = with_times(kTimes);
@@ -89,14 +89,14 @@ TEST(WordTimes, OfTheProcess) {
 }
 
 // Recordings that begin with the first move leave these times out.
-TEST(WordTimes, MayCountFromTheFirstMoveOn) {
+TEST(WordTimes, MayStartAtFirstMove) {
     const std::string program = "G21 T1 M6\nG1 X10 F6000\nT2 M6\nG1 X20\nM2\n";
     EXPECT_EQ(run(program, with_times({.tool_change_s = 8})).report.times.words_s, 16);
     EXPECT_EQ(run(program, with_times({.tool_change_s = 8, .before_first_move = false})).report.times.words_s,
               8);
 }
 
-TEST(WordTimes, AreSaidInTheReport) {
+TEST(WordTimes, AppearInReport) {
     const Outcome timed = run("G21 M8\nG1 X10 F6000\nM2\n", with_times(kTimes));
     EXPECT_NE(simulation::to_json(timed.report).find("\"words_s\": 0.5"), std::string::npos);
     const Outcome bare = run("G21 M8\nG1 X10 F6000\nM2\n", with_times({}));

@@ -38,7 +38,7 @@ TEST(AxisGroup, IsReadAndPrintedBack) {
     EXPECT_EQ(*repeated, *machine);
 }
 
-TEST(AxisGroup, WhatCannotBeIsSaidWithItsPlace) {
+TEST(AxisGroup, RejectsInvalidGroupsWithSourceLocation) {
     const std::string table = "[[group]]\nname = \"table\"\naxes = [\"C\"]\n";  // lines 17 to 19
     EXPECT_EQ(error_of("[[group]]\nname = \"t\"\naxes = [\"B\"]\n"),
               "m.toml:19:9: 'axes' must contain axis letters of this machine: X Y C");

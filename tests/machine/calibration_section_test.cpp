@@ -56,7 +56,7 @@ TEST(CalibrationSection, IsReadAndPrintedBack) {
     EXPECT_EQ(*repeated, *machine);
 }
 
-TEST(CalibrationSection, FiguresMayBeTimesOfWords) {
+TEST(CalibrationSection, AcceptsTimesOfWordsAsParameters) {
     const auto machine = read_machine(
         with("[times]\ntool_change_s = 6\nM100 = 2\n[calibration]\nruns = 5\n" +
              parameter_id("times", "tool_change_s", "[4, 0]") + parameter_id("times", "M100", "[0, 1]")),
@@ -71,7 +71,7 @@ TEST(CalibrationSection, FiguresMayBeTimesOfWords) {
     EXPECT_EQ(read_machine(print_machine(*machine), "m.toml").value(), *machine);
 }
 
-TEST(CalibrationSection, SaysWhatIsWrong) {
+TEST(CalibrationSection, RejectsInvalidCalibrations) {
     const std::string head = "[calibration]\nruns = 2\n";
     EXPECT_NE(error_of(parameter_id("X", "max_acceleration_mm_s2", "[1]")).find("[calibration] is missing"),
               std::string::npos);
@@ -95,7 +95,7 @@ TEST(CalibrationSection, SaysWhatIsWrong) {
     }
 }
 
-TEST(MachineParameter, IsAValueOfTheMachineByTheUnitsOfItsFile) {
+TEST(MachineParameter, ReadsAndSetsValueInUnitsOfFile) {
     Machine machine = read_machine(kMachine, "m.toml").value();
     EXPECT_EQ(parameter_value({"B", "max_acceleration_deg_s2"}, machine), 90);
     set_value({"controller", "speed_step_s"}, 0.5, machine);

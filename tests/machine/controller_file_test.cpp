@@ -42,12 +42,13 @@ std::string file_error_of(std::string_view toml) {
 }
 
 // Folder of its own, removed at the end of the test.
-class OwnFile : public testing::Test {
+class CustomControllerFile : public testing::Test {
   protected:
-    OwnFile() : folder_(std::filesystem::path(testing::TempDir()) / "gsim_controller_file_test") {
+    CustomControllerFile()
+        : folder_(std::filesystem::path(testing::TempDir()) / "gsim_controller_file_test") {
         std::filesystem::create_directories(folder_);
     }
-    ~OwnFile() override { std::filesystem::remove_all(folder_); }
+    ~CustomControllerFile() override { std::filesystem::remove_all(folder_); }
 
     void write(const std::string& name, std::string_view text) const {
         std::ofstream(folder_ / name) << text;
@@ -58,7 +59,7 @@ class OwnFile : public testing::Test {
     std::filesystem::path folder_;
 };
 
-TEST(ControllerFile, WithoutTheTableEachMoveBeginsAndEndsAtRest) {
+TEST(ControllerFile, DefaultsToExactStopWithoutTable) {
     const Machine machine = read_machine(built_in_machine_toml(), "af5.toml").value();
     EXPECT_EQ(machine.controller, ControllerRules{});
     EXPECT_EQ(machine.controller.planner, PlannerKind::rest_to_rest);
@@ -67,7 +68,7 @@ TEST(ControllerFile, WithoutTheTableEachMoveBeginsAndEndsAtRest) {
     EXPECT_EQ(read_rules("model = \"exact-stop\""), ControllerRules{});
 }
 
-TEST(ControllerFile, EveryOtherKeyOverridesOneValue) {
+TEST(ControllerFile, EachKeyOverridesOneValueOfModel) {
     ControllerRules expected_value = built_in_controller("grbl-1.1").value();
     expected_value.blocks.look_ahead = 250;
     expected_value.corners.exact_path = CornerRule::stop;
@@ -155,7 +156,7 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
     EXPECT_EQ(read_controller("[controller]\n" + lines, "c.toml", "c").value(), expected_value);
 }
 
-TEST(ControllerFile, OverridesAreRanges) {
+TEST(ControllerFile, RejectsInvalidRangesOfOverrides) {
     const auto error_of_overrides = [](std::string_view entries) {
         return error_of(fmt::format("overrides = {{ {} }}", entries));
     };
@@ -182,7 +183,7 @@ std::string great_circle(std::string_view lines, const Machine& like) {
     return "no error";
 }
 
-TEST(ControllerFile, OrientationAlongGreatCirclesNeedsAHeadAndAPlannerThatCan) {
+TEST(ControllerFile, GreatCircleOrientationNeedsHeadAndSuitablePlanner) {
     const Machine five = read_machine(built_in_machine_toml(), "af5.toml").value();
     EXPECT_EQ(read_rules("orientation = \"joints\""), ControllerRules{});
     EXPECT_EQ(great_circle("", five), "no error");
@@ -196,7 +197,7 @@ TEST(ControllerFile, OrientationAlongGreatCirclesNeedsAHeadAndAPlannerThatCan) {
     EXPECT_THAT(error_of("orientation = \"slerp\""), testing::HasSubstr("great-circle"));
 }
 
-TEST(ControllerFile, OwnRampsAreOfThePlannerThatStopsAtEachTarget) {
+TEST(ControllerFile, IndependentRampsNeedRestToRestPlanner) {
     EXPECT_TRUE(read_rules("independent_ramps = true").coordination.independent_ramps);
     EXPECT_TRUE(
         read_rules("model = \"exact-stop\"\nindependent_ramps = true").coordination.independent_ramps);
@@ -205,7 +206,7 @@ TEST(ControllerFile, OwnRampsAreOfThePlannerThatStopsAtEachTarget) {
                                testing::HasSubstr("'independent_ramps' needs the planner \"rest-to-rest\"")));
 }
 
-TEST(ControllerFile, APercentageIsAboveZeroAndAtMostAHundred) {
+TEST(ControllerFile, PercentageIsAboveZeroAndUpToHundred) {
     EXPECT_EQ(read_rules("corner_override_percent = 100").corner_override.percent, 100);
     for (const std::string_view value : {"0", "-1", "100.1", "inf"}) {
         EXPECT_NE(error_of(fmt::format("corner_override_percent = {}", value))
@@ -215,14 +216,14 @@ TEST(ControllerFile, APercentageIsAboveZeroAndAtMostAHundred) {
     }
 }
 
-TEST(ControllerFile, CurvesMayBeWithoutLimit) {
+TEST(ControllerFile, AcceptsUnlimitedCentripetalShareAndSpeedStep) {
     const double inf = std::numeric_limits<double>::infinity();
     EXPECT_EQ(read_rules("centripetal_share = inf").ramps.centripetal_share, inf);
     EXPECT_EQ(read_rules("centripetal_share = 5").ramps.centripetal_share, 5);
     EXPECT_EQ(read_rules("speed_step_s = inf").corners.speed_step_s, inf);
 }
 
-TEST(ControllerFile, PrintsTheModelAndWhatDiffersFromIt) {
+TEST(ControllerFile, PrintsModelAndDifferences) {
     const std::string printed =
         print_machine(read_machine(with_controller("model = \"ab9\"\nsettle_s = 0.02"), "m.toml").value());
     EXPECT_THAT(printed, testing::HasSubstr("\n[controller]\nmodel = \"ab9\"\nsettle_s = 0.02\n\n[[axis]]"));
@@ -230,7 +231,7 @@ TEST(ControllerFile, PrintsTheModelAndWhatDiffersFromIt) {
                 testing::Not(testing::HasSubstr("controller")));
 }
 
-TEST_F(OwnFile, IsFoundBesideTheMachineFile) {
+TEST_F(CustomControllerFile, IsFoundInFolderOfMachineFile) {
     write("own.toml", "[controller]\nmodel = \"ab9\"\nsettle_s = 0.5\nstandstill_s = 0.25\n");
     write("machine.toml", with_controller("model = \"own.toml\"\nstandstill_s = 0.75"));
     ControllerRules expected_value = built_in_controller("ab9").value();
@@ -244,13 +245,13 @@ TEST_F(OwnFile, IsFoundBesideTheMachineFile) {
         << "a printed machine must stand for itself";
 }
 
-TEST_F(OwnFile, MayBeNamedByItsWholePath) {
+TEST_F(CustomControllerFile, AcceptsAbsolutePath) {
     write("own.toml", "[controller]\nname = \"hall 4\"\n");
     const std::string lines = fmt::format("model = \"{}\"", path("own.toml"));
     EXPECT_EQ(read_rules(lines).model, "hall 4");
 }
 
-TEST_F(OwnFile, ErrorsSayWhereTheyAre) {
+TEST_F(CustomControllerFile, ErrorsHaveSourceLocation) {
     write("own.toml", "[controller]\nsettle_s = -1\n");
     EXPECT_EQ(error_of("model = \"own.toml\"", path("m.toml")),
               path("own.toml") + ":2:12: 'settle_s' must be 0 or greater, not -1");
@@ -264,13 +265,13 @@ std::string built_in() {
     return text::joined(built_in_controllers(), ", ");
 }
 
-TEST_F(OwnFile, DoesNotNameAnother) {
+TEST_F(CustomControllerFile, RejectsFileAsModel) {
     write("own.toml", "[controller]\nmodel = \"own.toml\"\n");
     EXPECT_EQ(error_of("model = \"own.toml\"", path("m.toml")),
               path("own.toml") + ":2:9: 'model' of a controller file must be one of " + built_in());
 }
 
-TEST(ControllerFile, UnknownModels) {
+TEST(ControllerFile, RejectsUnknownModels) {
     EXPECT_EQ(
         error_of("model = \"grbl1\""),
         "m.toml:4:9: unknown controller \"grbl1\"; did you mean \"grbl-1.1\"? built-in controllers are " +
@@ -281,7 +282,7 @@ TEST(ControllerFile, UnknownModels) {
     EXPECT_EQ(error_of("model = 4"), "m.toml:4:9: 'model' must be a string, not a number");
 }
 
-TEST(ControllerFile, UnknownKeys) {
+TEST(ControllerFile, RejectsUnknownKeys) {
     EXPECT_EQ(error_of("look_ahead = 4"),
               "m.toml:4:1: unknown key 'look_ahead' in [controller]; did you mean 'look_ahead_blocks'?");
     EXPECT_THAT(error_of("x = 4"),
@@ -292,7 +293,7 @@ TEST(ControllerFile, UnknownKeys) {
                                testing::HasSubstr(", inverse_time_of_chords")));
 }
 
-TEST(ControllerFile, WrongTypes) {
+TEST(ControllerFile, RejectsWrongTypes) {
     EXPECT_EQ(error_of("planner = \"look_ahead\""),
               "m.toml:4:11: 'planner' must be \"rest-to-rest\", \"look-ahead\", \"linuxcnc\" or \"klipper\"");
     EXPECT_EQ(error_of("corner = 4"),
@@ -309,7 +310,7 @@ TEST(ControllerFile, WrongTypes) {
               "m.toml:1:14: 'controller' must be a table, not a number");
 }
 
-TEST(ControllerFile, ValuesOutOfRange) {
+TEST(ControllerFile, RejectsValuesOutOfRange) {
     for (const std::string value : {"0", "-1", "2.5", "100001"}) {
         EXPECT_EQ(error_of("look_ahead_blocks = " + value),
                   "m.toml:4:21: 'look_ahead_blocks' must be an integer between 1 and 100000, not " + value);
@@ -342,7 +343,7 @@ TEST(ControllerFile, ValuesOutOfRange) {
     EXPECT_EQ(error_of("in_position_mm = 0"), "m.toml:4:18: 'in_position_mm' must be greater than 0, not 0");
 }
 
-TEST(ControllerFile, HoldsOneTable) {
+TEST(ControllerFile, AcceptsOnlyControllerTable) {
     EXPECT_EQ(file_error_of(""), "c.toml:1:1: a controller file lacks the key 'controller'");
     EXPECT_EQ(file_error_of("controller = true\n"),
               "c.toml:1:14: 'controller' must be a table, not true or false");

@@ -27,7 +27,7 @@ Machine sample(const std::string& name) {
     return load_machine(tests::machine_path(name)).value();
 }
 
-TEST(BuiltInControllers, AreThoseOfTheSamples) {
+TEST(BuiltInControllers, MatchSamples) {
     EXPECT_THAT(built_in_controllers(),
                 testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "linuxcnc-2.10", "grbl-1.1",
                                      "grblhal", "blend", "klipper"));
@@ -43,11 +43,11 @@ TEST(BuiltInControllers, AreThoseOfTheSamples) {
     EXPECT_EQ(built_in_controller_toml("grbl").data(), nullptr);
 }
 
-TEST(BuiltInControllers, ExactStopIsWhatHoldsWithoutAController) {
+TEST(BuiltInControllers, ExactStopEqualsDefaultRules) {
     EXPECT_EQ(built_in_controller("exact-stop").value(), ControllerRules{});
 }
 
-TEST(BuiltInControllers, Ab9StopsInExactPathModeAlone) {
+TEST(BuiltInControllers, Ab9StopsOnlyInExactPathMode) {
     const ControllerRules rules = built_in_controller("ab9").value();
     EXPECT_EQ(rules.planner, PlannerKind::look_ahead);
     EXPECT_EQ(rules.blocks.look_ahead, 40u);
@@ -58,7 +58,7 @@ TEST(BuiltInControllers, Ab9StopsInExactPathModeAlone) {
     EXPECT_EQ(rules.position_loop.settle_s, 0);
 }
 
-TEST(BuiltInControllers, LinuxcncCountsInServoCycles) {
+TEST(BuiltInControllers, LinuxcncUsesServoCycles) {
     const ControllerRules rules = built_in_controller("linuxcnc-2.9").value();
     EXPECT_EQ(rules.planner, PlannerKind::linuxcnc);
     EXPECT_EQ(rules.blocks.look_ahead, 50u);
@@ -84,7 +84,7 @@ TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
     EXPECT_EQ(rules.standstill.dwell_s, 0);
 }
 
-TEST(BuiltInControllers, GrblHalLooksFurtherAndCountsAllAxesAlike) {
+TEST(BuiltInControllers, GrblHalHasLongerLookAheadAndMeasuresAllAxes) {
     const ControllerRules rules = built_in_controller("grblhal").value();
     EXPECT_EQ(rules.blocks.look_ahead, 100u);
     EXPECT_EQ(rules.corners.continuous, CornerRule::junction_deviation);
@@ -98,7 +98,7 @@ TEST(BuiltInControllers, GrblHalLooksFurtherAndCountsAllAxesAlike) {
     EXPECT_FALSE(rules.drilling.boring_cycles);
 }
 
-TEST(BuiltInControllers, BlendRoundsCornersAndKeepsJerks) {
+TEST(BuiltInControllers, BlendRoundsCornersAndLimitsJerk) {
     const ControllerRules rules = built_in_controller("blend").value();
     EXPECT_EQ(rules.corners.continuous, CornerRule::smooth_blend);
     EXPECT_EQ(rules.corners.exact_path, CornerRule::velocity_step);
@@ -107,7 +107,7 @@ TEST(BuiltInControllers, BlendRoundsCornersAndKeepsJerks) {
     EXPECT_EQ(rules.position_loop.gain_1_s, 33.3);
 }
 
-TEST(BuiltInControllers, KlipperHasItsDefaultsAndNoOverrides) {
+TEST(BuiltInControllers, KlipperHasDefaultsAndNoOverrides) {
     const ControllerRules rules = built_in_controller("klipper").value();
     EXPECT_EQ(rules.planner, PlannerKind::klipper);
     EXPECT_EQ(rules.klipper.square_corner_velocity_mm_s, 5);
@@ -129,7 +129,7 @@ struct Linuxcnc {
 
 class LinuxcncSample : public testing::TestWithParam<Linuxcnc> {};
 
-TEST_P(LinuxcncSample, HasTheLimitsOfItsConfiguration) {
+TEST_P(LinuxcncSample, HasLimitsOfConfiguration) {
     const Machine machine = sample(GetParam().file);
     ControllerRules rules = built_in_controller(GetParam().model).value();
     rules.ramps.limit_jerk = std::isfinite(GetParam().jerk_mm_s3);
@@ -182,7 +182,7 @@ struct Grbl {
 
 class GrblSample : public testing::TestWithParam<Grbl> {};
 
-TEST_P(GrblSample, HasTheLimitsOfItsSettings) {
+TEST_P(GrblSample, HasLimitsOfSettings) {
     const Machine machine = sample(GetParam().file);
     EXPECT_EQ(machine.controller, built_in_controller("grbl-1.1").value());
     EXPECT_EQ(machine.path, PathLimits{});
@@ -214,7 +214,7 @@ struct Klipper {
 
 class KlipperSample : public testing::TestWithParam<Klipper> {};
 
-TEST_P(KlipperSample, HasTheLimitsOfItsConfiguration) {
+TEST_P(KlipperSample, HasLimitsOfConfiguration) {
     constexpr double kUnlimited = std::numeric_limits<double>::infinity();
     const Klipper& expected_value = GetParam();
     const Machine machine = sample(expected_value.file);
@@ -254,7 +254,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // By default an extruder alone moves as fast as filament of its nozzle's largest cross section lets the path
 // move.
-TEST(KlipperSamples, TheExtruderHasTheDefaultsOfItsNozzle) {
+TEST(KlipperSamples, ExtruderHasDefaultsOfNozzle) {
     for (const char* name : {"klipper-fast-ext.toml", "klipper-fast-ext-fw.toml"}) {
         const Machine machine = sample(name);
         const Axis& extruder = machine.axes.at(3);

@@ -34,7 +34,7 @@ std::string with(std::string_view lines) {
     return fmt::format("{}{}{}\n", kFileHeader, kAxes, lines);
 }
 
-TEST(DynamicsSection, AllIsReadAndPrintedBack) {
+TEST(DynamicsSection, ReadsAndPrintsAllKeys) {
     const std::string text = R"([machine]
 name = "m"
 [dynamics]
@@ -108,7 +108,7 @@ drag_n_per_mm_s = 0.01
     EXPECT_EQ(*repeated, *machine);
 }
 
-TEST(DynamicsSection, WithoutMoreItIsStandardGravityAndNothingElse) {
+TEST(DynamicsSection, EmptyTableMeansStandardGravityOnly) {
     const Machine machine = read_machine(with(""), "m.toml").value();
     ASSERT_TRUE(machine.dynamics);
     EXPECT_EQ(*machine.dynamics, DynamicsTable{});
@@ -117,7 +117,7 @@ TEST(DynamicsSection, WithoutMoreItIsStandardGravityAndNothingElse) {
               std::nullopt);
 }
 
-TEST(DynamicsSection, MassesThatNoBodyHas) {
+TEST(DynamicsSection, RejectsImpossibleMasses) {
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"\nmass_kg = -1")),
               "m.toml:14:11: 'mass_kg' must be 0 or greater, not -1");
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"")), "m.toml:12:1: [[mass]] lacks the key 'mass_kg'");
@@ -134,7 +134,7 @@ TEST(DynamicsSection, MassesThatNoBodyHas) {
               "m.toml:15:13: 'centre_mm' must be [x, y, z], numbers between -1e9 and 1e9");
 }
 
-TEST(DynamicsSection, LinksThatAreNotThere) {
+TEST(DynamicsSection, RejectsUnknownLinks) {
     for (const char* on : {"Y", "base", "jet", ""}) {
         EXPECT_EQ(error_of(with(fmt::format("[[mass]]\non = \"{}\"\nmass_kg = 1", on))),
                   "m.toml:13:6: 'on' must be the letter of an axis (X, B), \"tool\" or \"work\"");
@@ -142,7 +142,7 @@ TEST(DynamicsSection, LinksThatAreNotThere) {
     EXPECT_EQ(error_of(with("[[hose]]\non = \"tool\"")), "m.toml:12:1: [[hose]] lacks the key 'anchor_mm'");
 }
 
-TEST(DynamicsSection, Curves) {
+TEST(DynamicsSection, RejectsInvalidMotorCurves) {
     const auto axis = [](std::string_view lines) {
         return fmt::format("{}[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"x\"\n{}\n",
                            kFileHeader, lines);
@@ -161,7 +161,7 @@ TEST(DynamicsSection, Curves) {
               "m.toml:8:1: unknown key 'coulomb_nm' in a linear [[axis]]; did you mean 'coulomb_n'?");
 }
 
-TEST(DynamicsSection, NothingOfForcesWithoutTheTable) {
+TEST(DynamicsSection, RejectsForcesWithoutDynamicsTable) {
     const auto without = [](std::string_view lines) {
         return error_of(fmt::format("[machine]\nname = \"m\"\n{}{}\n", kAxes, lines));
     };

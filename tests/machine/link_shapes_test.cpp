@@ -37,7 +37,7 @@ std::string shape(std::string_view name, std::string_view on, std::string_view f
     return fmt::format("[[shape]]\nname = \"{}\"\non = \"{}\"\nshape = {{ {} }}\n", name, on, form);
 }
 
-TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
+TEST(LinkShapes, ReadsAndPrintsAllKinds) {
     const std::string mesh = tests::source_path("samples/cell/mould.stl");
     const std::string text =
         with(fmt::format("{}{}{}{}{}frame = {{ z_mm = 2.5, yaw_deg = 90 }}\n",
@@ -63,7 +63,7 @@ TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
     EXPECT_EQ(*repeated, *machine) << print_machine(*machine);
 }
 
-TEST(LinkShapes, MeshesAreInTheFolderOfTheMachineFile) {
+TEST(LinkShapes, MeshPathIsRelativeToMachineFile) {
     const std::string text = with(shape("mould", "X", "mesh = \"../cell/mould.stl\""));
     const auto machine = read_machine(text, tests::source_path("samples/machines/m.toml"));
     ASSERT_TRUE(machine) << machine.error().message;
@@ -71,7 +71,7 @@ TEST(LinkShapes, MeshesAreInTheFolderOfTheMachineFile) {
 }
 
 // The file is not read here, so it may be incomplete.
-TEST(LinkShapes, TheToleranceOfASolidIsKept) {
+TEST(LinkShapes, KeepsToleranceOfSolid) {
     const auto file = std::filesystem::path(testing::TempDir()) / "link_shapes_test.step";
     std::ofstream(file) << "ISO-10303-21;";
     const auto machine = read_machine(
@@ -84,7 +84,7 @@ TEST(LinkShapes, TheToleranceOfASolidIsKept) {
     std::filesystem::remove(file);
 }
 
-TEST(LinkShapes, SaysWhereAndWhatIsWrong) {
+TEST(LinkShapes, ErrorsNameLocationAndReason) {
     EXPECT_EQ(error_of(with("[[shape]]\nnmae = \"a\"\n")),
               "dir/m.toml:8:1: unknown key 'nmae' in [[shape]]; did you mean 'name'?");
     EXPECT_EQ(error_of(with("[[shape]]\nname = \"a\"\nshape = { sphere_mm = 1 }\n")),

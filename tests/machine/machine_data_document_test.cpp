@@ -47,14 +47,14 @@ void expect_refused(const std::string& message, Change change) {
     EXPECT_EQ(document.data(), data);
 }
 
-TEST(MachineDataDocument, GivesItsBytesBack) {
+TEST(MachineDataDocument, ReturnsOriginalBytes) {
     for (const std::string& text :
          {kFile, std::string("NCFILE\nENDFILE"), std::string("\n\nNCFILE\r\nENDFILE\n\n")})
         EXPECT_EQ(read(text).text(), text);
     EXPECT_EQ(MachineDataDocument().text(), "NCFILE\nENDFILE\n");
 }
 
-TEST(MachineDataDocument, RowsAreAsTheyAreWritten) {
+TEST(MachineDataDocument, RowsKeepWrittenText) {
     const MachineDataDocument document = read(kFile);
     const std::vector<DataRow> rows = document.rows(DataSection::offset);
     ASSERT_EQ(rows.size(), 2U);
@@ -67,14 +67,14 @@ TEST(MachineDataDocument, RowsAreAsTheyAreWritten) {
     EXPECT_EQ(location.column, 17U);
 }
 
-TEST(MachineDataDocument, AnEqualValueKeepsItsDigits) {
+TEST(MachineDataDocument, EqualValueKeepsDigits) {
     expect_change("", "", [](auto& d) {
         return d.set(DataSection::offset, "54", {{"X", "200"}, {"Y", "100"}});
     });
     expect_change("1e2", "7  ", [](auto& d) { return d.set(DataSection::offset, "54", {{"Y", "7"}}); });
 }
 
-TEST(MachineDataDocument, WordsBehindAChangeKeepTheirColumns) {
+TEST(MachineDataDocument, WordsAfterChangeKeepColumns) {
     expect_change("+3     #", "-30.25 #", [](auto& d) {
         return d.set(DataSection::offset, "54", {{"Z", "-30.25"}});
     });
@@ -83,7 +83,7 @@ TEST(MachineDataDocument, WordsBehindAChangeKeepTheirColumns) {
     });
 }
 
-TEST(MachineDataDocument, FurtherValues) {
+TEST(MachineDataDocument, AppendsAdditionalValues) {
     expect_change("0  Inch", "0  0  45  Inch", [](auto& d) {
         return d.set(DataSection::offset, "505", {{"C", "45"}});
     });
@@ -98,7 +98,7 @@ TEST(MachineDataDocument, FurtherValues) {
     });
 }
 
-TEST(MachineDataDocument, NamesOfPoints) {
+TEST(MachineDataDocument, SetsAndRemovesNamesOfPoints) {
     expect_change("1 0 0 300\r\n", "1 0 0 300  NAME=Vise\r\n", [](auto& d) {
         return d.set(DataSection::fixed, "1", {{"NAME", "Vise"}});
     });
@@ -125,7 +125,7 @@ TEST(MachineDataDocument, NamesOfPoints) {
     EXPECT_EQ(same.error().message, "the name VISE of a fixed point is given twice; first in line 3");
 }
 
-TEST(MachineDataDocument, UnitOfAnEntry) {
+TEST(MachineDataDocument, ConvertsEntryToRequestedUnit) {
     expect_change("1  2.50  0  Inch", "25.4 63.5  7  metric", [](auto& d) {
         return d.set(DataSection::offset, "505", {{"Z", "7"}}, LengthUnit::metric);
     });
@@ -137,7 +137,7 @@ TEST(MachineDataDocument, UnitOfAnEntry) {
     });
 }
 
-TEST(MachineDataDocument, NewEntriesStandAtTheEndOfTheirSection) {
+TEST(MachineDataDocument, AppendsNewEntriesToTheirSection) {
     expect_change("...\r\n", "...\r\n55  0  5  0\r\n", [](auto& d) {
         return d.set(DataSection::offset, "55", {{"Y", "5"}});
     });
@@ -149,7 +149,7 @@ TEST(MachineDataDocument, NewEntriesStandAtTheEndOfTheirSection) {
     });
 }
 
-TEST(MachineDataDocument, ResetAndErase) {
+TEST(MachineDataDocument, ResetsAndErasesEntries) {
     expect_change("1  2.50  0  Inch", "0  0     0  Inch",
                   [](auto& d) { return d.reset(DataSection::offset, "505"); });
     expect_change("WaterJetOn M08\r\n", "",
@@ -163,7 +163,7 @@ TEST(MachineDataDocument, ResetAndErase) {
     }
 }
 
-TEST(MachineDataDocument, ChangesThatAreRefused) {
+TEST(MachineDataDocument, RejectsInvalidChanges) {
     const auto set = [](DataSection section, const char* id, const char* field, const std::string& value) {
         return [=](auto& d) { return d.set(section, id, {{field, value}}); };
     };
@@ -185,7 +185,7 @@ TEST(MachineDataDocument, ChangesThatAreRefused) {
                    [](auto& d) { return d.reset(DataSection::offset, "55"); });
 }
 
-TEST(MachineDataDocument, AliasThatWouldBeAKeywordOrARemark) {
+TEST(MachineDataDocument, RejectsKeywordOrCommentAsAlias) {
     for (const char* name : {"OFFSET", "ENDFILE", "a b", "#x", "", "x\ny"}) {
         MachineDataDocument document = read(kFile);
         EXPECT_FALSE(document.set(DataSection::alias, name, {{"CODE", "M8"}})) << name;
@@ -193,7 +193,7 @@ TEST(MachineDataDocument, AliasThatWouldBeAKeywordOrARemark) {
     }
 }
 
-TEST(MachineDataDocument, OneUnitForAll) {
+TEST(MachineDataDocument, ConvertsAllEntriesToOneUnit) {
     MachineDataDocument document =
         read("NCFILE\nOFFSET\n54 1 0.5 -2 90 # left\n55 38.1 0 0 metric\nTOOL\n1 254 0 jet\nENDFILE\n");
     const MachineData data = document.data();
@@ -207,14 +207,14 @@ TEST(MachineDataDocument, OneUnitForAll) {
     EXPECT_EQ(document.data(), data);
 }
 
-TEST(MachineDataDocument, WithoutAMachineFurtherValuesHaveNoUnitToConvert) {
+TEST(MachineDataDocument, RejectsConversionOfUnknownAxesWithoutMachine) {
     auto document = MachineDataDocument::read("NCFILE\nOFFSET\n54 1 2 3 90\nENDFILE\n", "m.txt").value();
     EXPECT_FALSE(document.convert(LengthUnit::inch));
     ASSERT_TRUE(document.set(DataSection::offset, "54", {{"AXIS4", "45"}}));
     EXPECT_EQ(document.text(), "NCFILE\nOFFSET\n54 1 2 3 45\nENDFILE\n");
 }
 
-TEST(MachineDataDocument, DataOfARunChangeTheirLinesAlone) {
+TEST(MachineDataDocument, UpdateFromRunChangesOnlyAffectedLines) {
     MachineDataDocument document = read(kFile);
     MachineData data = document.data();
     data.offsets["54"]['X'] = 201.5;

@@ -147,7 +147,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-TEST(MachineDataRandom, DataSurviveWritingAndReading) {
+TEST(MachineDataRandom, DataRoundTripThroughFile) {
     const std::vector<Axis> machine = axes();
     RandomData random(11);
     for (int i = 0; i < 1000; ++i) {
@@ -163,7 +163,7 @@ TEST(MachineDataRandom, DataSurviveWritingAndReading) {
     }
 }
 
-TEST(MachineDataRandom, FilesComeBackByteForByte) {
+TEST(MachineDataRandom, FilesKeepEachByte) {
     const std::vector<Axis> machine = axes();
     RandomData random(12);
     for (int i = 0; i < 300; ++i) {
@@ -178,7 +178,7 @@ TEST(MachineDataRandom, FilesComeBackByteForByte) {
 
 // The update is from any data to any other; in inches too, although a number of mm may have no exact one of
 // inches.
-TEST(MachineDataRandom, AnUpdateHoldsTheNewData) {
+TEST(MachineDataRandom, UpdateStoresNewData) {
     const std::vector<Axis> machine = axes();
     RandomData random(13);
     for (int i = 0; i < 300; ++i) {
@@ -209,7 +209,7 @@ TEST(MachineDataRandom, AnUpdateHoldsTheNewData) {
     }
 }
 
-TEST(MachineDataRandom, AnEditChangesItsOwnLine) {
+TEST(MachineDataRandom, EditChangesOnlyItsLine) {
     const std::vector<Axis> machine = axes();
     RandomData random(14);
     int edits = 0;
@@ -260,7 +260,7 @@ std::string mangled(RandomData& random, std::string text) {
 
 // Either the complete file is right, comes back as it is and means the same if rewritten, or the error has a
 // source location.
-TEST(MachineDataRandom, MangledFilesAreReadWhollyOrNotAtAll) {
+TEST(MachineDataRandom, CorruptFilesAreReadCompletelyOrRejected) {
     const std::vector<Axis> machine = axes();
     RandomData random(15);
     int right = 0;

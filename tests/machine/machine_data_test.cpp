@@ -38,7 +38,7 @@ TEST(MachineData, ReadsAllSections) {
 }
 
 // As the thesis prints it, dots and all: three frames, all else at its default.
-TEST(MachineData, ExampleOfTheThesis) {
+TEST(MachineData, ReadsExampleOfThesis) {
     const auto data = read_machine_data(
         "NCFILE\nOFFSET\n54\t200.0001\t200.0002\t200\n55\t255\t255\t255\n56\t100\t0\t300.001\n57\t0\t0\t0\n"
         "...\nFIXED\n1\t0\t0\t0\n2\t0\t0\t0\nENDFILE\n",
@@ -52,14 +52,14 @@ TEST(MachineData, ExampleOfTheThesis) {
     EXPECT_EQ(data->fixed.size(), 2U);
 }
 
-TEST(MachineData, WithoutAxesFurtherValuesAreOnlyChecked) {
+TEST(MachineData, ChecksAndDropsAdditionalValuesWithoutAxes) {
     const auto data = read_machine_data("NCFILE\nOFFSET\n54 1 2 3 4 5 6\nENDFILE", "m.txt");
     ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->offsets, ElementsAre(Pair("54", AxisValues{{'X', 1}, {'Y', 2}, {'Z', 3}})));
     EXPECT_FALSE(read_machine_data("NCFILE\nOFFSET\n54 1 2 3 4x\nENDFILE", "m.txt"));
 }
 
-TEST(MachineData, Frame) {
+TEST(MachineData, RejectsInvalidStartAndEndOfFile) {
     EXPECT_EQ(error_of(""), "m.txt:1:1: the file does not begin with NCFILE");
     EXPECT_EQ(error_of("OFFSET\n"), "m.txt:1:1: the file does not begin with NCFILE");
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n"), "m.txt:3:1: the file does not end with ENDFILE");
@@ -68,7 +68,7 @@ TEST(MachineData, Frame) {
     EXPECT_EQ(error_of("NCFILE x\n"), "m.txt:1:8: 'x' is an extra word");
 }
 
-TEST(MachineData, Tools) {
+TEST(MachineData, ReadsToolsAndRejectsDuplicates) {
     const auto data = read_machine_data("NCFILE\nTOOL\n1 100 6\n22 1 0.25 inch\nENDFILE\n", "m.txt");
     ASSERT_TRUE(data) << data.error().message;
     ASSERT_EQ(data->tools.size(), 2U);
@@ -82,7 +82,7 @@ TEST(MachineData, Tools) {
               "m.txt:4:1: the tool 1 is given twice; first in line 3");
 }
 
-TEST(MachineData, ToolsInFull) {
+TEST(MachineData, ReadsAllToolValues) {
     const std::vector<Axis> axes = read_machine(built_in_machine_toml(), "").value().axes;
     const auto data = read_machine_data(
         "NCFILE\nTOOL\n1 2 1 length_wear=-0.5 DIAMETER_WEAR=.25 X=1 b=30 orientation=9 FRONT=10 BACK=20 jet "
@@ -114,7 +114,7 @@ TEST(MachineData, ToolsInFull) {
     EXPECT_EQ(error_of_line("1 5e7 0 inch"), "m.txt:3:3: 5e7 must be between -1e9 and 1e9 mm");
 }
 
-TEST(MachineData, Zones) {
+TEST(MachineData, ReadsZones) {
     const auto data = read_machine_data(
         "NCFILE\nSECURITY\n1 100 200 300 400\n7 -1 1 - - 0 10 leave off switch=3 inch\n"
         "WORKING\n1 0 1800 0 2400 - -\nENDFILE\n",
@@ -132,7 +132,7 @@ TEST(MachineData, Zones) {
               (Zone{.kind = ZoneKind::working, .limits = {ZoneLimits{0, 1800}, ZoneLimits{0, 2400}, {}}}));
 }
 
-TEST(MachineData, ZonesThatAreNone) {
+TEST(MachineData, RejectsInvalidZones) {
     const auto error_of_line = [](const std::string& line) {
         return error_of(fmt::format("NCFILE\nSECURITY\n{}\nENDFILE\n", line));
     };
@@ -152,13 +152,13 @@ TEST(MachineData, ZonesThatAreNone) {
               "m.txt:3:1: there is only one working zone; its number is 1");
 }
 
-TEST(MachineData, ReferencePoints) {
+TEST(MachineData, ReadsReferencePoints) {
     const auto data = read_machine_data("NCFILE\nREFERENCE\n1 1 2 3 inch\nENDFILE\n", "m.txt");
     ASSERT_TRUE(data) << data.error().message;
     EXPECT_DOUBLE_EQ(data->references.at(1).at('Y'), 50.8);
 }
 
-TEST(MachineData, NamesOfPoints) {
+TEST(MachineData, ReadsNamesOfPoints) {
     const auto data = read_machine_data(
         "NCFILE\nFIXED\n1 1 2 3 NAME=CLAMP1\n2 1 2 3\n30 1 2 3 name=Park_2 inch\nREFERENCE\n7 0 0 1 "
         "Name=clamp1\n"
@@ -170,7 +170,7 @@ TEST(MachineData, NamesOfPoints) {
     EXPECT_DOUBLE_EQ(data->fixed.at(30).at('X'), 25.4);
 }
 
-TEST(MachineData, NamesOfPointsThatAreNone) {
+TEST(MachineData, RejectsInvalidNamesOfPoints) {
     const auto error_of_line = [](const std::string& line) {
         return error_of(fmt::format("NCFILE\nFIXED\n{}\nENDFILE\n", line));
     };
@@ -190,13 +190,13 @@ TEST(MachineData, NamesOfPointsThatAreNone) {
     EXPECT_EQ(error_of("NCFILE\nHOME\n2 0 0 0 NAME=A\n"), "m.txt:3:9: 'NAME=A' is not a number");
 }
 
-TEST(MachineData, ANulIsNoText) {
+TEST(MachineData, RejectsNulByte) {
     using std::string_literals::operator""s;
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n# \0\nENDFILE\n"s),
               "m.txt:3:3: the file contains a NUL byte; it must be a text file");
 }
 
-TEST(MachineData, HomePositions) {
+TEST(MachineData, ReadsHomePositions) {
     const auto data = read_machine_data("NCFILE\nHOME\n2 1 2 3\n4 0 0 1 inch\nENDFILE\n", "m.txt");
     ASSERT_TRUE(data) << data.error().message;
     EXPECT_EQ(data->homes.at(2).at('Y'), 2);
@@ -205,7 +205,7 @@ TEST(MachineData, HomePositions) {
               "m.txt:3:1: home positions are 2 to 4; the first is in the machine file");
 }
 
-TEST(MachineData, Sections) {
+TEST(MachineData, RejectsInvalidSections) {
     const std::string sections =
         "a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, SECURITY or WORKING";
     EXPECT_EQ(error_of("NCFILE\n OFSET\n"),
@@ -221,7 +221,7 @@ TEST(MachineData, Sections) {
     }
 }
 
-TEST(MachineData, Offsets) {
+TEST(MachineData, RejectsInvalidOffsets) {
     const auto error_of_line = [](const std::string& line) {
         return error_of("NCFILE\nOFFSET\n" + line + "\nENDFILE\n");
     };
@@ -241,7 +241,7 @@ TEST(MachineData, Offsets) {
     }
 }
 
-TEST(MachineData, OtherEntries) {
+TEST(MachineData, RejectsOtherInvalidEntries) {
     EXPECT_EQ(error_of("NCFILE\nFIXED\n0 1 2 3\n"),
               "m.txt:3:1: '0' is not a valid number of a fixed point, 1 to 99999");
     EXPECT_EQ(error_of("NCFILE\nVARIABLE\n1 2 3\n"), "m.txt:3:5: '3' is an extra word");
@@ -249,7 +249,7 @@ TEST(MachineData, OtherEntries) {
               "m.txt:4:1: the alias jet is given twice; first in line 3");
 }
 
-TEST(MachineData, FileThatCannotBeRead) {
+TEST(MachineData, ReportsUnreadableFile) {
     EXPECT_EQ(load_machine_data("no/such.txt").error().message,
               "cannot read 'no/such.txt': No such file or directory");
 }

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(All, SampleMachine, testing::ValuesIn(sample_machines()
     return name;
 });
 
-TEST(MachineFile, BuiltInMachineIsTheSpecificationsTable) {
+TEST(MachineFile, BuiltInMachineMatchesSpecification) {
     const Machine machine = read_machine(built_in_machine_toml(), "af5.toml").value();
     EXPECT_EQ(machine.name, "AF-series 5-axis waterjet gantry");
     EXPECT_EQ(machine.inverse, InverseKind::gantry);
@@ -71,13 +71,13 @@ TEST(MachineFile, BuiltInMachineIsTheSpecificationsTable) {
     EXPECT_DOUBLE_EQ(b.max_acceleration, 20);
 }
 
-TEST(MachineFile, BuiltInMachineIsTheSampleByteForByte) {
+TEST(MachineFile, BuiltInMachineEqualsSample) {
     const auto sample = load_machine(tests::source_path("samples/machines/af5.toml"));
     ASSERT_TRUE(sample) << sample.error().message;
     EXPECT_EQ(read_machine(built_in_machine_toml(), "").value(), *sample);
 }
 
-TEST(MachineFile, WhatIsLeftOutIsUnlimited) {
+TEST(MachineFile, OmittedLimitsAreUnlimited) {
     const auto machine = read_machine(with_axis_line("max_mm = inf"), "m.toml");
     ASSERT_TRUE(machine) << machine.error().message;
     const double inf = std::numeric_limits<double>::infinity();
@@ -93,7 +93,7 @@ TEST(MachineFile, WhatIsLeftOutIsUnlimited) {
     EXPECT_EQ(read_machine(print_machine(*machine), "").value(), *machine);
 }
 
-TEST(MachineFile, ADecelerationOfItsOwnOrThatOfTheAcceleration) {
+TEST(MachineFile, DecelerationDefaultsToAcceleration) {
     const auto own =
         read_machine(with_axis_line("max_acceleration_mm_s2 = 900\nmax_deceleration_mm_s2 = 400"), "m.toml");
     ASSERT_TRUE(own) << own.error().message;
@@ -105,7 +105,7 @@ TEST(MachineFile, ADecelerationOfItsOwnOrThatOfTheAcceleration) {
     EXPECT_FALSE(same->axes[0].max_deceleration.has_value());
 }
 
-TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
+TEST(MachineFile, ReadsJerkSpeedStepAndStepOfAxis) {
     const auto linear = read_machine(
         with_axis_line("max_jerk_mm_s3 = 5000\nmax_speed_step_mm_s = 2.5\nstep_mm = 0.004"), "m.toml");
     ASSERT_TRUE(linear) << linear.error().message;
@@ -126,7 +126,7 @@ TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
     EXPECT_EQ(read_machine(print_machine(*rotary), "").value(), *rotary);
 }
 
-TEST(MachineFile, NameMayHoldAnyCharacter) {
+TEST(MachineFile, AcceptsAnyCharacterInName) {
     Machine machine = read_machine(with_axis_line(""), "m.toml").value();
     machine.name = "a \"b\" \\ c\n\t\x01 \u00fc";
     const auto repeated = read_machine(print_machine(machine), "printed");
@@ -134,7 +134,7 @@ TEST(MachineFile, NameMayHoldAnyCharacter) {
     EXPECT_EQ(repeated->name, machine.name);
 }
 
-TEST(MachineFile, UnknownKeyNamesTheNearestKnownOne) {
+TEST(MachineFile, UnknownKeySuggestsNearestKnownKey) {
     EXPECT_EQ(error_of("[machine]\nname = \"m\"\n[path]\nmax_feed = 4\n"),
               "m.toml:4:1: unknown key 'max_feed' in [path]; did you mean 'max_feed_mm_s'?");
     EXPECT_EQ(error_of(with_axis_line("min_deg = 0")),
@@ -145,7 +145,7 @@ TEST(MachineFile, UnknownKeyNamesTheNearestKnownOne) {
               "m.toml:1:2: unknown key 'Machine' in a machine file; did you mean 'machine'?");
 }
 
-TEST(MachineFile, WrongTypes) {
+TEST(MachineFile, RejectsWrongTypes) {
     EXPECT_EQ(error_of(with_axis_line("min_mm = \"0\"")),
               "m.toml:7:10: 'min_mm' must be a number, not a string");
     EXPECT_EQ(error_of("[machine]\nname = 4\n"), "m.toml:2:8: 'name' must be a string, not a number");
@@ -160,7 +160,7 @@ TEST(MachineFile, WrongTypes) {
               "m.toml:4:8: 'kind' must be \"linear\" or \"rotary\"");
 }
 
-TEST(MachineFile, MissingKeys) {
+TEST(MachineFile, ReportsMissingKeys) {
     EXPECT_EQ(error_of(""), "m.toml:1:1: a machine file lacks the key 'machine'");
     EXPECT_EQ(error_of("[machine]\n"), "m.toml:1:1: [machine] lacks the key 'name'");
     EXPECT_EQ(error_of(std::string(kFileHeader)), "m.toml:1:1: a machine file lacks the key 'axis'");
@@ -174,7 +174,7 @@ TEST(MachineFile, MissingKeys) {
               "define its joint");
 }
 
-TEST(MachineFile, ValuesOutOfRange) {
+TEST(MachineFile, RejectsValuesOutOfRange) {
     EXPECT_EQ(error_of(with_axis_line("max_speed_mm_s = -5")),
               "m.toml:7:18: 'max_speed_mm_s' must be greater than 0, not -5");
     EXPECT_EQ(error_of(with_axis_line("max_jerk_mm_s3 = 0")),
@@ -199,14 +199,14 @@ TEST(MachineFile, ValuesOutOfRange) {
               "m.toml:3:1: 'home_mm' is 0, outside the axis range 5 .. inf");
 }
 
-TEST(MachineFile, Letters) {
+TEST(MachineFile, RejectsInvalidAndDuplicateLetters) {
     EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\nletter = \"F\"\nkind = \"linear\"\ndh = {}\n"),
               "m.toml:4:10: 'letter' must be one of A B C E U V W X Y Z");
     EXPECT_EQ(error_of(std::string(kFileHeader) + std::string(kAxis) + std::string(kAxis)),
               "m.toml:8:10: the letter X is given twice; first in line 4");
 }
 
-TEST(MachineFile, AJointByAFrameAndOnTheSideOfTheWork) {
+TEST(MachineFile, ReadsJointFromFrameOnWorkSide) {
     const auto machine = read_machine(std::string(kFileHeader) +
                                           "[work]\nz_mm = 5\n[[axis]]\nletter = \"C\"\nkind = \"rotary\"\n"
                                           "carries = \"work\"\nturning = \"unwind\"\nhome3_deg = 90\n"
@@ -222,7 +222,7 @@ TEST(MachineFile, AJointByAFrameAndOnTheSideOfTheWork) {
     EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
 }
 
-TEST(MachineFile, FaultsOfJointsAndTurning) {
+TEST(MachineFile, RejectsInvalidJointsAndTurning) {
     EXPECT_EQ(error_of(with_axis_line("turning = \"shortest\"")).substr(0, 66),
               "m.toml:7:1: unknown key 'turning' in a linear [[axis]]; known keys");
     EXPECT_EQ(error_of(with_axis_line("carries = \"me\"")),
@@ -238,7 +238,7 @@ TEST(MachineFile, FaultsOfJointsAndTurning) {
 }
 
 // If both are given, the frame is before the motion, and the row after it.
-TEST(MachineFile, AFrameBesideARow) {
+TEST(MachineFile, AppliesFrameBeforeDhRow) {
     const auto machine = read_machine(std::string(kFileHeader) +
                                           "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\n"
                                           "frame = { y_mm = 3.0 }\ndh = { a_mm = 10.0 }\n",
@@ -251,7 +251,7 @@ TEST(MachineFile, AFrameBesideARow) {
     EXPECT_TRUE(tcp.isApprox(Eigen::Vector3d(0, 13, 0), 1e-12)) << tcp.transpose();
 }
 
-TEST(MachineFile, AnAxisByItsDirection) {
+TEST(MachineFile, ReadsAxisFromDirection) {
     const auto machine = read_machine(std::string(kFileHeader) +
                                           "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ncarries = \"work\"\n"
                                           "frame = { z_mm = -25.0 }\ndirection = \"-x\"\n",
@@ -267,13 +267,13 @@ TEST(MachineFile, AnAxisByItsDirection) {
               "m.toml:6:13: 'direction' must be \"x\", \"y\", \"z\", \"-x\", \"-y\" or \"-z\"");
 }
 
-TEST(MachineFile, InverseThatDoesNotFitTheChain) {
+TEST(MachineFile, RejectsInverseUnfitForChain) {
     const std::string error =
         error_of("[machine]\nname = \"m\"\ninverse = \"gantry\"\n" + std::string(kAxis));
     EXPECT_EQ(error.substr(0, 13), "m.toml:3:11: ");
 }
 
-TEST(MachineFile, SyntaxErrorsOfToml) {
+TEST(MachineFile, ReportsTomlSyntaxErrorsWithLocation) {
     EXPECT_EQ(error_of("[machine\n").substr(0, 11), "m.toml:1:9:");
     EXPECT_EQ(error_of("[machine]\nname = \"m\"\nname = \"n\"\n").substr(0, 9), "m.toml:3:");
     EXPECT_EQ(error_of("[machine]\nname = t\n").find('\n'), std::string::npos);
@@ -281,7 +281,7 @@ TEST(MachineFile, SyntaxErrorsOfToml) {
               "m.toml:2:1: unknown key 'na me' in [machine]; did you mean 'name'?");
 }
 
-TEST(MachineFile, FileThatCannotBeRead) {
+TEST(MachineFile, ReportsUnreadableFile) {
     EXPECT_EQ(load_machine("no/such.toml").error().message,
               "cannot read 'no/such.toml': No such file or directory");
     EXPECT_EQ(load_machine(".").error().message, "cannot read '.': Is a directory");

@@ -33,7 +33,7 @@ TEST(Machine, FindsAxesByLetter) {
 
 // The letters as geometry: X Y Z move the TCP along the world's axes, and B turns the tool about the
 // vertical. C tilts it about the axis that B carries, and the TCP stays at its position.
-TEST(Machine, BuiltInMachineIsTransRzRy) {
+TEST(Machine, BuiltInMachineKinematicsAreTransRzRy) {
     const auto kinematics = make_kinematics(af5());
     std::mt19937 random(20);
     std::uniform_real_distribution<double> mm(0, 600), rad(-1.5, 1.5);
@@ -51,7 +51,7 @@ TEST(Machine, BuiltInMachineIsTransRzRy) {
     }
 }
 
-TEST(Machine, RouterMovesAlongTheWorldsAxes) {
+TEST(Machine, RouterMovesAlongWorldAxes) {
     const Machine machine = load_machine(tests::source_path("samples/machines/router3.toml")).value();
     rrs::JointPos joints(3);
     joints << 10, 20, -30;
@@ -62,7 +62,7 @@ TEST(Machine, RouterMovesAlongTheWorldsAxes) {
 
 // X Y Z carry the TCP whatever the others do; A B C turn about it; U V W slide along the axes that the rotary
 // axes carry.
-TEST(Machine, UnlimitedMachineHasNineAxesInTheirUsualDirections) {
+TEST(Machine, UnlimitedMachineHasNineAxesInUsualDirections) {
     const Machine machine = load_machine(tests::source_path("samples/machines/unlimited.toml")).value();
     std::string letters;
     for (const Axis& axis : machine.axes) {
@@ -89,7 +89,7 @@ TEST(Machine, UnlimitedMachineHasNineAxesInTheirUsualDirections) {
 }
 
 // B turns about Y and carries C, which turns about Z; both pass through the TCP.
-TEST(Machine, LinuxcncMachinesCarryTheTipByXyz) {
+TEST(Machine, LinuxcncMachinesMoveTcpByXyz) {
     std::mt19937 random(22);
     std::uniform_real_distribution<double> mm(-600, 600), rad(-4, 4);
     for (const std::string name : {"linuxcnc-gantry", "linuxcnc-gantry254", "linuxcnc-router",
@@ -108,7 +108,7 @@ TEST(Machine, LinuxcncMachinesCarryTheTipByXyz) {
     }
 }
 
-TEST(Machine, AxisValuesCountFromZeroAndInDegrees) {
+TEST(Machine, AxisValuesIncludeZeroOffsetAndUseDegrees) {
     Axis axis{.letter = 'B', .kind = AxisKind::rotary, .zero = 30};
     EXPECT_DOUBLE_EQ(axis_value(axis, std::numbers::pi), 210);
     EXPECT_DOUBLE_EQ(joint_value(axis, 210), std::numbers::pi);
@@ -127,7 +127,7 @@ TEST(Machine, HomePositionIsInJointValues) {
     EXPECT_LT((home_position(machine) - expected_value).norm(), 1e-12);
 }
 
-TEST(Machine, ChainThatDoesNotFitTheInverseIsRefused) {
+TEST(Machine, RejectsChainUnfitForInverse) {
     Machine machine = af5();
     machine.axes[3].dh.alpha_deg = 0;  // both rotary axes turn about the vertical
     EXPECT_NE(find_kinematic_error(machine), std::nullopt);

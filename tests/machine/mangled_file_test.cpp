@@ -17,7 +17,7 @@ using Random = std::mt19937;
 using test::is_located;
 using test::mangled;
 
-TEST(MangledFile, MachineFile) {
+TEST(CorruptFile, MachineFileIsReadOrRejectedWithLocation) {
     Random random(1);
     const std::string full(built_in_machine_toml());
     for (int i = 0; i < 3000; ++i) {
@@ -32,7 +32,7 @@ TEST(MangledFile, MachineFile) {
 }
 
 // With masses, drives and hoses.
-TEST(MangledFile, FileWithDynamics) {
+TEST(CorruptFile, DynamicsFileIsReadOrRejectedWithLocation) {
     Random random(5);
     const std::string full =
         os::read_text_file(tests::source_path("samples/machines/gantry-dynamics.toml")).value();
@@ -48,7 +48,7 @@ TEST(MangledFile, FileWithDynamics) {
 }
 
 // Joints by frames on both sides.
-TEST(MangledFile, MillFile) {
+TEST(CorruptFile, MillFileIsReadOrRejectedWithLocation) {
     Random random(4);
     const std::string full =
         os::read_text_file(tests::source_path("samples/machines/mill-table-table.toml")).value();
@@ -64,7 +64,7 @@ TEST(MangledFile, MillFile) {
 }
 
 // With every key of [controller]. The model is a built-in one: mangled, it names files that do not exist.
-TEST(MangledFile, ControllerOfAMachineFile) {
+TEST(CorruptFile, ControllerTableIsReadOrRejectedWithLocation) {
     Random random(3);
     const std::string full =
         "[machine]\nname = \"m\"\n[controller]\nmodel = \"grbl-1.1\"\nname = \"own.toml\"\n"
@@ -90,7 +90,7 @@ TEST(MangledFile, ControllerOfAMachineFile) {
     }
 }
 
-TEST(MangledFile, DeepNesting) {
+TEST(CorruptFile, RejectsDeepNestingWithLocation) {
     for (const std::string open : {"[", "{a=", "[[", "[{a="}) {
         std::string text = "machine = ";
         for (int i = 0; i < 100000; ++i) text += open;
@@ -100,7 +100,7 @@ TEST(MangledFile, DeepNesting) {
     }
 }
 
-TEST(MangledFile, MachineData) {
+TEST(CorruptFile, MachineDataAreReadOrRejectedWithLocation) {
     Random random(2);
     const std::vector<Axis> axes = read_machine(built_in_machine_toml(), "").value().axes;
     const std::string full =

@@ -43,7 +43,7 @@ TEST(ProcessSection, ReadsWordsAndChecks) {
     EXPECT_EQ(*repeated, *machine);
 }
 
-TEST(ProcessSection, ASpindleMayDwell) {
+TEST(ProcessSection, SpindleHasNoDwellLimit) {
     const auto machine = read_machine(
         machine_with("[process]\nkind = \"spindle\"\non = [\"M3\"]\noff = [\"M5\"]\n"), "m.toml");
     ASSERT_TRUE(machine) << machine.error().message;
@@ -51,7 +51,7 @@ TEST(ProcessSection, ASpindleMayDwell) {
     EXPECT_EQ(*read_machine(print_machine(*machine), "printed"), *machine);
 }
 
-TEST(ProcessSection, Errors) {
+TEST(ProcessSection, RejectsInvalidProcessAndChecks) {
     EXPECT_EQ(error_of_process("[\"G1\"]"),
               "m.toml:5:6: 'on' contains \"G1\", which is not an M code, such as \"M8\", or an M code with "
               "its required words, such as \"M62 P0\"");

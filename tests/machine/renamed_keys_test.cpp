@@ -36,7 +36,7 @@ MachineWithMessages read(const std::string& text, const os::Files& files = os::d
     return {std::move(machine), std::move(messages)};
 }
 
-TEST(RenamedKeys, OldNamesMeanTheSameAndWarn) {
+TEST(RenamedKeys, AcceptsOldNamesWithWarning) {
     for (const auto& [old_line, line] :
          std::map<std::string, std::string>{{"rest_s = 0.25", "standstill_s = 0.25"},
                                             {"own_ramps = true", "independent_ramps = true"},
@@ -54,25 +54,25 @@ TEST(RenamedKeys, OldNamesMeanTheSameAndWarn) {
     }
 }
 
-TEST(RenamedKeys, MachinesArePrintedWithNewNames) {
+TEST(RenamedKeys, PrintsNewNames) {
     const auto old = read(machine_text("rest_s = 0.25"));
     const std::string printed = print_machine(*old.machine);
     EXPECT_THAT(printed, HasSubstr("standstill_s = 0.25"));
     EXPECT_EQ(printed.find("rest_s"), std::string::npos);
 }
 
-TEST(RenamedKeys, BothNamesAreAnError) {
+TEST(RenamedKeys, RejectsOldAndNewNameTogether) {
     const auto both = read(machine_text("rest_s = 0.25\nstandstill_s = 0.25"));
     ASSERT_FALSE(both.machine);
     EXPECT_THAT(both.machine.error().message, testing::StartsWith("m.toml:4:1: "));
 }
 
-TEST(RenamedKeys, ErrorsOfAnOldNamePointAtIt) {
+TEST(RenamedKeys, ErrorsPointToOldName) {
     EXPECT_THAT(read(machine_text("rest_s = -1")).machine.error().message,
                 testing::StartsWith("m.toml:4:10: "));
 }
 
-TEST(RenamedKeys, CalibratedParametersMayHaveOldNames) {
+TEST(RenamedKeys, AcceptsOldNamesOfCalibratedParameters) {
     const std::string text = machine_text("standstill_s = 0.25",
                                           "[calibration]\nruns = 2\nleft_percent = 0.5\n[[calibrated]]\nof = "
                                           "\"controller\"\nkey = \"rest_s\"\ncovariance_percent2 = [4]\n");
@@ -83,12 +83,12 @@ TEST(RenamedKeys, CalibratedParametersMayHaveOldNames) {
     EXPECT_EQ(old.messages.warnings.size(), 2);
 }
 
-TEST(RenamedKeys, OldNamesCountInTheirTableAlone) {
+TEST(RenamedKeys, OldNamesAreValidOnlyInTheirTable) {
     EXPECT_FALSE(read("[machine]\nname = \"m\"\nrest_s = 1\n" + std::string(kAxis)).machine);
     EXPECT_FALSE(base::renamed_key("[lag]", "rest_s"));
 }
 
-TEST(RenamedKeys, WarningsOfACustomControllerFileAreThoseOfTheMachine) {
+TEST(RenamedKeys, ReportsWarningsOfCustomControllerFile) {
     const os::CallbackFiles files{
         [](const std::string&) -> std::optional<std::string> { return "[controller]\nrest_s = 0.5\n"; }};
     const auto machine = read(machine_text("model = \"own.toml\""), files);

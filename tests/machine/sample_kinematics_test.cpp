@@ -64,7 +64,7 @@ void expect_round_trips(const std::string& name, int count, double tolerance) {
 
 class ClosedForm : public testing::TestWithParam<const char*> {};
 
-TEST_P(ClosedForm, InverseAndForwardUndoEachOther) {
+TEST_P(ClosedForm, InverseAndForwardAreConsistent) {
     expect_round_trips(GetParam(), pose_count(100'000), 1e-9);
 }
 
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(All, ClosedForm,
                              return name;
                          });
 
-TEST(SampleKinematics, InverseOfTheArm) {
+TEST(SampleKinematics, InverseOfArmMatchesForward) {
     expect_round_trips("arm6.toml", pose_count(5'000), 1e-6);
 }
 
@@ -107,7 +107,7 @@ void expect_pose(const rrs::CartPos& pose, const Vector3d& tcp_mm, const Eigen::
 }
 
 // The letters are those of ISO 841: values give the tool's motion against the work, though the table moves.
-TEST(SampleKinematics, MillWithATiltingAndTurningTable) {
+TEST(SampleKinematics, ForwardOfTableTableMillMatchesFormula) {
     const Machine machine = sample("mill-table-table.toml");
     const auto kinematics = make_kinematics(machine);
     std::mt19937 random(33);
@@ -119,7 +119,7 @@ TEST(SampleKinematics, MillWithATiltingAndTurningTable) {
     }
 }
 
-TEST(SampleKinematics, MillWithASwivellingHead) {
+TEST(SampleKinematics, ForwardOfHeadTableMillMatchesFormula) {
     const Machine machine = sample("mill-head-table.toml");
     const auto kinematics = make_kinematics(machine);
     std::mt19937 random(34);
@@ -132,7 +132,7 @@ TEST(SampleKinematics, MillWithASwivellingHead) {
     }
 }
 
-TEST(SampleKinematics, GantryWithTheTipOffTheRotationPoint) {
+TEST(SampleKinematics, ForwardOfOffsetHeadGantryMatchesFormula) {
     const Machine machine = sample("gantry-offset-head.toml");
     const auto kinematics = make_kinematics(machine);
     std::mt19937 random(35);

@@ -22,7 +22,7 @@ std::string error_of(const std::string& toml) {
     return machine ? "no error" : machine.error().message;
 }
 
-TEST(ServoSection, AllIsReadAndPrintedBack) {
+TEST(ServoSection, ReadsAndPrintsAllKeys) {
     const Machine machine =
         read_machine(with("position_gain_1_s = 33.3\nvelocity_feed_forward = 0.9\nacceleration_feed_forward "
                           "= 0.8\nvelocity_lag_s = 0.002\ncommand_delay_s = 0.004"),
@@ -36,14 +36,14 @@ TEST(ServoSection, AllIsReadAndPrintedBack) {
     EXPECT_EQ(read_machine(print_machine(machine), "printed").value(), machine);
 }
 
-TEST(ServoSection, WithoutAKeyThereIsNone) {
+TEST(ServoSection, HasNoServoLoopWithoutKeys) {
     const Machine machine = read_machine(with(""), "m.toml").value();
     EXPECT_FALSE(machine.axes[0].servo);
     EXPECT_EQ(print_machine(machine).find("velocity_feed_forward"), std::string::npos);
 }
 
 // A loop that has but a key at its default is one all the same, and stays one when it is printed.
-TEST(ServoSection, OneKeyIsEnough) {
+TEST(ServoSection, OneKeyDefinesServoLoop) {
     const Machine machine =
         read_machine(with("velocity_lag_s = 0.0", "[controller]\nposition_gain_1_s = 20.0"), "m.toml")
             .value();
@@ -51,7 +51,7 @@ TEST(ServoSection, OneKeyIsEnough) {
     EXPECT_EQ(read_machine(print_machine(machine), "printed").value(), machine);
 }
 
-TEST(ServoSection, WhatIsRefused) {
+TEST(ServoSection, RejectsValuesOutOfRange) {
     EXPECT_EQ(error_of(with("position_gain_1_s = 0.5")),
               "m.toml:7:21: 'position_gain_1_s' must be 1 or greater; it is 0.5");
     EXPECT_EQ(error_of(with("position_gain_1_s = 30\nvelocity_feed_forward = 1.1")),
@@ -62,7 +62,7 @@ TEST(ServoSection, WhatIsRefused) {
               "m.toml:8:18: 'velocity_lag_s' must be 0, or 1e-6 or greater, not -1");
 }
 
-TEST(ServoSection, LoopNeedsAGain) {
+TEST(ServoSection, RejectsLoopWithoutGain) {
     constexpr std::string_view kSentence =
         "the servo loop of axis X has no gain: set 'position_gain_1_s', 1 or greater, for the axis or in "
         "[controller]";

@@ -42,14 +42,14 @@ TEST(TimesSection, ReadsNamesAndCodes) {
     EXPECT_EQ(*repeated, *machine);
 }
 
-TEST(TimesSection, WithoutItNoWordTakesTime) {
+TEST(TimesSection, WordsTakeNoTimeWithoutSection) {
     const auto machine = read_machine(machine_with(""), "m.toml");
     ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->times, WordTimes{});
     EXPECT_EQ(print_machine(*machine).find("[times]"), std::string::npos);
 }
 
-TEST(TimesSection, Errors) {
+TEST(TimesSection, RejectsInvalidKeysAndValues) {
     EXPECT_EQ(error_with("tool_changes_s = 1"),
               "m.toml:4:1: unknown key 'tool_changes_s' in [times]; did you mean 'tool_change_s'?");
     EXPECT_EQ(error_with("M1000 = 1").substr(0, 33), "m.toml:4:1: unknown key 'M1000' i");

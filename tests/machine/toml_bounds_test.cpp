@@ -26,7 +26,7 @@ std::string error_of(const std::string& toml) {
 }
 
 // Each of these took the stack of the parser, or of the destructor of its tables.
-TEST(TomlBounds, DeepTextsAreErrorsWithTheirPlace) {
+TEST(TomlBounds, RejectsDeepNestingWithLocation) {
     const std::string joined = "more than 32 names joined by dots";
     const std::string nested = "arrays and tables are nested deeper than 32";
     EXPECT_EQ(error_of("# deep\n" + repeated("a.", kDeep) + "a = 1\n"), "f.toml:2:64: " + joined);
@@ -37,7 +37,7 @@ TEST(TomlBounds, DeepTextsAreErrorsWithTheirPlace) {
     EXPECT_EQ(error_of("a = " + repeated("[{a=", kDeep)), "f.toml:1:69: " + nested);
 }
 
-TEST(TomlBounds, AsDeepAsAllowedIsParsed) {
+TEST(TomlBounds, ParsesMaximumDepth) {
     // Both bounds at once: the deepest table there is.
     const std::string key = repeated("a.", base::kMaxTomlKeyParts - 1) + "a";
     const std::string deepest =
@@ -47,7 +47,7 @@ TEST(TomlBounds, AsDeepAsAllowedIsParsed) {
     EXPECT_EQ(error_of(text).substr(0, 30), "f.toml:1:2: unknown key 'a' in");
 }
 
-TEST(TomlBounds, StringsAndRemarksDoNotCount) {
+TEST(TomlBounds, IgnoresStringsAndComments) {
     const std::string dots = repeated("a.", 100);
     const std::string brackets = repeated("[{", 100);
     const std::vector<std::string> harmless{
@@ -63,7 +63,7 @@ TEST(TomlBounds, StringsAndRemarksDoNotCount) {
 }
 
 // The apparent end of a string must be where the parser has it, or the remainder would not be checked.
-TEST(TomlBounds, BehindAnyStringCountingGoesOn) {
+TEST(TomlBounds, ContinuesCountingAfterStrings) {
     const std::string deep = ", " + repeated("b.", 100) + "b = 1}\n";
     for (const std::string value :
          {"''", "\"\"", "'\\'", "\"\\\\\"", "'''a'''", "'''a''''", "'''a'''''", "''''''", "\"\"\"a\"\"\"\"",
@@ -76,7 +76,7 @@ TEST(TomlBounds, BehindAnyStringCountingGoesOn) {
 
 // toml++ checks if such letters are blanks: after a backslash at the end of a line, and where no letter may
 // be.
-TEST(TomlBounds, LettersOfAllAlphabetsAreNoBlanks) {
+TEST(TomlBounds, TreatsLettersOfAllAlphabetsAsText) {
     for (const std::string letter : {"\u00e9", "\u03c9", "\u044d", "\u0499", "\u20ac", "\u4e2d"}) {
         const auto machine = read_machine("[machine]\nname = \"\"\"\\\n  " + letter +
                                               "\"\"\"\n[[axis]]\nletter = \"X\"\nkind = \"linear\"\n"
@@ -88,7 +88,7 @@ TEST(TomlBounds, LettersOfAllAlphabetsAreNoBlanks) {
     }
 }
 
-TEST(TomlBounds, LongTextsAreErrors) {
+TEST(TomlBounds, RejectsFilesAboveSizeLimit) {
     EXPECT_EQ(error_of(std::string(base::kMaxTomlBytes + 1, '\n')),
               "f.toml:1:1: files of up to 4 MiB are read");
 }

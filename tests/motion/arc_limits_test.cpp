@@ -77,7 +77,7 @@ void expect_jerks(const Segment& segment, const PlannerSetup& setup) {
     }
 }
 
-TEST_F(ArcLimits, JointsKeepTheirJerks) {
+TEST_F(ArcLimits, KeepsJointJerkLimits) {
     for (int run = 0; run < 600; ++run) {
         const auto planner = run % 2 == 0 ? rrs::PlannerKind::rest_to_rest : rrs::PlannerKind::look_ahead;
         const PlannerSetup setup = machine(planner, true);
@@ -86,7 +86,7 @@ TEST_F(ArcLimits, JointsKeepTheirJerks) {
     }
 }
 
-TEST_F(ArcLimits, JointsKeepTheirAccelerations) {
+TEST_F(ArcLimits, KeepsJointAccelerationLimits) {
     for (int run = 0; run < 400; ++run) {
         const PlannerSetup setup = machine(rrs::PlannerKind::look_ahead, run % 4 == 0);
         for (const Segment& segment : arc_move(setup, run % 3 == 0 ? Lie::along_axes : Lie::askew)) {
@@ -104,7 +104,7 @@ TEST_F(ArcLimits, JointsKeepTheirAccelerations) {
 }
 
 /// If all three parts are as large as permitted, on a circle: jerk / (1 + sqrt 2) for each.
-TEST_F(ArcLimits, SharesOfACircle) {
+TEST_F(ArcLimits, SplitsJerkOfCircleIntoEqualParts) {
     PlannerSetup setup = machine(rrs::PlannerKind::look_ahead, true);
     for (JointSetup& joint : setup.joints) joint.max_jerk = 1000;
     const Arc circle{.radius_mm = 20, .end_radius_mm = 20, .sweep_rad = 6};

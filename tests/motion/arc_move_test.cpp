@@ -22,7 +22,7 @@ class ArcMove : public testing::Test {
     const double acceleration = 490.33;
 };
 
-TEST_F(ArcMove, FullCircleTakesTheTimeOfItsCircumference) {
+TEST_F(ArcMove, FullCircleTakesTimeOfCircumference) {
     ASSERT_EQ(at.arc_to(joint_pos({600, 500, 300, 0, 0}), {500, 500, 0}, up, 2 * kPi), Status::RRS_SUCCESS);
     const Segment& segment = at.last();
     EXPECT_EQ(segment.kind, SegmentKind::circular);
@@ -34,7 +34,7 @@ TEST_F(ArcMove, FullCircleTakesTheTimeOfItsCircumference) {
     expect_smooth(segment);
 }
 
-TEST_F(ArcMove, ViaPointTellsTheCircleAndTheSense) {
+TEST_F(ArcMove, ViaPointDefinesCircleAndDirection) {
     ASSERT_EQ(at.via(joint_pos({500, 400, 300, 0, 0})), Status::RRS_SUCCESS);
     ASSERT_EQ(at.to(joint_pos({500, 600, 300, 0, 0})), Status::RRS_SUCCESS);
     const Segment& segment = at.last();
@@ -47,7 +47,7 @@ TEST_F(ArcMove, ViaPointTellsTheCircleAndTheSense) {
     expect_smooth(segment);
 }
 
-TEST_F(ArcMove, EachCircleNeedsAViaPointOfItsOwn) {
+TEST_F(ArcMove, RejectsCircleWithoutViaPoint) {
     EXPECT_EQ(at.to(joint_pos({500, 600, 300, 0, 0})), Status::RRS_INVALID_PARAMETER);
     EXPECT_THAT(at.message(), HasSubstr("needs a via point"));
     at.via(joint_pos({500, 400, 300, 0, 0}));
@@ -57,7 +57,7 @@ TEST_F(ArcMove, EachCircleNeedsAViaPointOfItsOwn) {
     EXPECT_EQ(at.via(joint_pos({500, 400, 300, 0, 0})), Status::RRS_INVALID_PARAMETER);
 }
 
-TEST_F(ArcMove, ViaPointOnTheChordIsNoCircle) {
+TEST_F(ArcMove, RejectsViaPointOnChord) {
     at.via(joint_pos({550, 500, 300, 0, 0}));
     EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, 0})), Status::RRS_CIRCLE_IMPOSSIBLE);
     EXPECT_EQ(at.planner.time_s(), 0);
@@ -65,7 +65,7 @@ TEST_F(ArcMove, ViaPointOnTheChordIsNoCircle) {
     EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, 0})), Status::RRS_SUCCESS);
 }
 
-TEST_F(ArcMove, ArcOutOfRangeOnTheWayNamesJointValueAndLimit) {
+TEST_F(ArcMove, ReportsJointValueAndLimitIfArcLeavesRange) {
     EXPECT_EQ(at.arc_to(joint_pos({600, 500, 300, 0, 0}), {600, 1600, 0}, up, 2 * kPi),
               Status::RRS_JOINT_LIMIT);
     EXPECT_EQ(at.planner.last_error().joint, 0);
@@ -81,7 +81,7 @@ TEST_F(ArcMove, ArcOutOfRangeOnTheWayNamesJointValueAndLimit) {
         << at.message();
 }
 
-TEST_F(ArcMove, EndsExactlyInPlaceWhereTheRadiiDisagree) {
+TEST_F(ArcMove, EndsExactlyAtTargetIfRadiiDiffer) {
     const rrs::JointPos end = joint_pos({500, 600.01, 300, 0.3, 0});
     ASSERT_EQ(at.arc_to(end, {500, 500, 0}, up, kPi / 2), Status::RRS_SUCCESS);
     const Segment& segment = at.last();
@@ -91,7 +91,7 @@ TEST_F(ArcMove, EndsExactlyInPlaceWhereTheRadiiDisagree) {
     EXPECT_LT((before - end).norm(), 1e-6);
 }
 
-TEST_F(ArcMove, HelixSpeedIsAlongTheHelix) {
+TEST_F(ArcMove, KeepsProgrammedSpeedAlongHelix) {
     ASSERT_EQ(at.arc_to(joint_pos({600, 500, 500, 0, 0}), {500, 500, 0}, up, 4 * kPi), Status::RRS_SUCCESS);
     const double length = std::hypot(400 * kPi, 200);
     EXPECT_DOUBLE_EQ(at.last().length_mm, length);
@@ -99,19 +99,19 @@ TEST_F(ArcMove, HelixSpeedIsAlongTheHelix) {
     expect_smooth(at.last());
 }
 
-TEST_F(ArcMove, RotaryJointsFollow) {
+TEST_F(ArcMove, SlowerRotaryJointSetsDuration) {
     ASSERT_EQ(at.arc_to(joint_pos({600, 500, 300, 6, 0}), {590, 500, 0}, up, 2 * kPi), Status::RRS_SUCCESS);
     EXPECT_DOUBLE_EQ(at.last().duration_s, trapezoid_s(6, kPi / 2, kPi / 2));
     expect_smooth(at.last());
 }
 
-TEST_F(ArcMove, IsNotForRapid) {
+TEST_F(ArcMove, RejectsRapid) {
     at.planner.SetRapid(true);
     EXPECT_EQ(at.arc_to(joint_pos({600, 500, 300, 0, 0}), {500, 500, 0}, up, 2 * kPi),
               Status::RRS_MODE_NOT_SUPPORTED);
 }
 
-TEST_F(ArcMove, NeedsASpeed) {
+TEST_F(ArcMove, NeedsProgrammedSpeedOrMotionTime) {
     ReadyPlanner fresh(gantry_setup(), joint_pos({600, 500, 300, 0, 0}));
     EXPECT_EQ(fresh.arc_to(joint_pos({600, 500, 300, 0, 0}), {500, 500, 0}, up, 2 * kPi),
               Status::RRS_ZERO_SPEED);
@@ -121,7 +121,7 @@ TEST_F(ArcMove, NeedsASpeed) {
     EXPECT_EQ(fresh.last().duration_s, 10);
 }
 
-TEST_F(ArcMove, StaysInTheDirectionsThatTheMachineHas) {
+TEST_F(ArcMove, RejectsDirectionWithoutJoint) {
     PlannerSetup setup = gantry_setup();
     setup.position_joints = {0, -1, 2};
     ReadyPlanner lathe(setup, joint_pos({600, 0, 300, 0, 0}));

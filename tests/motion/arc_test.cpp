@@ -30,7 +30,7 @@ Arc random_arc(std::mt19937& random) {
     return arc;
 }
 
-TEST(Arc, QuarterOfACircleByHand) {
+TEST(Arc, QuarterCircleMatchesHandCalculation) {
     const Arc arc{.center = {10, 0, 5}, .radius_mm = 2, .end_radius_mm = 2, .sweep_rad = kPi / 2};
     EXPECT_DOUBLE_EQ(arc.length_mm(), kPi);
     EXPECT_TRUE(arc.at(0).isApprox(Vector3d(12, 0, 5)));
@@ -41,7 +41,7 @@ TEST(Arc, QuarterOfACircleByHand) {
     EXPECT_DOUBLE_EQ(arc.phi_at(kPi / 2), kPi / 4);
 }
 
-TEST(Arc, HelixByHand) {
+TEST(Arc, HelixMatchesHandCalculation) {
     // One turn of radius 3 that climbs 8 pi: its unrolled length is hypot(6 pi, 8 pi).
     const Arc arc{.radius_mm = 3, .end_radius_mm = 3, .sweep_rad = 2 * kPi, .lift = {0, 0, 8 * kPi}};
     EXPECT_DOUBLE_EQ(arc.length_mm(), 10 * kPi);
@@ -51,14 +51,14 @@ TEST(Arc, HelixByHand) {
     EXPECT_DOUBLE_EQ(arc.max_share(0), 0.6);
 }
 
-TEST(Arc, SpiralPassesFromOneRadiusToTheOther) {
+TEST(Arc, SpiralGoesFromStartRadiusToEndRadius) {
     const Arc arc{.radius_mm = 10, .end_radius_mm = 10.01, .sweep_rad = kPi};
     EXPECT_TRUE(arc.at(0).isApprox(Vector3d(10, 0, 0)));
     EXPECT_LT((arc.at(kPi) - Vector3d(-10.01, 0, 0)).norm(), 1e-12);
     EXPECT_NEAR(arc.at(arc.phi_at(arc.length_mm() / 2)).norm(), 10.005, 1e-12);
 }
 
-TEST(Arc, EqualStepsOfLengthAreEqualStepsOnThePath) {
+TEST(Arc, IsParameterizedByArcLength) {
     std::mt19937 random(5);
     for (int i = 0; i < 500; ++i) {
         const Arc arc = random_arc(random);
@@ -79,7 +79,7 @@ TEST(Arc, EqualStepsOfLengthAreEqualStepsOnThePath) {
     }
 }
 
-TEST(Arc, TangentIsAUnitVectorAndKeepsItsShares) {
+TEST(Arc, TangentIsUnitVectorWithinMaxShares) {
     std::mt19937 random(6);
     for (int i = 0; i < 500; ++i) {
         const Arc arc = random_arc(random);
@@ -93,7 +93,7 @@ TEST(Arc, TangentIsAUnitVectorAndKeepsItsShares) {
     }
 }
 
-TEST(Arc, BulgeBoundsWhatGoesBeyondTheEnds) {
+TEST(Arc, BulgeBoundsExtentBeyondEnds) {
     std::mt19937 random(11);
     for (int i = 0; i < 500; ++i) {
         Arc arc = random_arc(random);
@@ -108,7 +108,7 @@ TEST(Arc, BulgeBoundsWhatGoesBeyondTheEnds) {
     }
 }
 
-TEST(Arc, BulgeOfAShortArcIsItsRiseAboveTheChord) {
+TEST(Arc, BulgeOfShortArcIsHeightAboveChord) {
     const double sweep_rad = 0.1;
     const Arc arc{.radius_mm = 50, .end_radius_mm = 50, .sweep_rad = sweep_rad};
     EXPECT_NEAR(arc.bulge_mm(), 50 * (1 - std::cos(sweep_rad / 2)), 1e-4);
@@ -116,7 +116,7 @@ TEST(Arc, BulgeOfAShortArcIsItsRiseAboveTheChord) {
 
 // The path length is change / log(end / start) times the sweep, in long double here; the series passes into
 // the logarithm without a step.
-TEST(Arc, LengthOfASpiralByAHairIsExact) {
+TEST(Arc, LengthIsExactForNearlyCircularSpiral) {
     for (double growth = 1e-13; growth < 0.1; growth *= 1.7) {
         const double radius_mm = 30, sweep_rad = 2, change_mm = radius_mm * growth;
         const Arc arc{.radius_mm = radius_mm, .end_radius_mm = radius_mm + change_mm, .sweep_rad = sweep_rad};
@@ -126,7 +126,7 @@ TEST(Arc, LengthOfASpiralByAHairIsExact) {
     }
 }
 
-TEST(Arc, RangeIsThatOfDenseSamples) {
+TEST(Arc, RangeMatchesDenseSamples) {
     std::mt19937 random(7);
     for (int i = 0; i < 500; ++i) {
         const Arc arc = random_arc(random);

@@ -72,7 +72,7 @@ class BlendStop : public testing::TestWithParam<CornerRule> {
     std::mt19937 random{51};
 };
 
-TEST_P(BlendStop, KeepsWayAndLimitsAtAnyInstant) {
+TEST_P(BlendStop, KeepsPathAndLimitsAtAnyTime) {
     int blends = 0;
     for (int round = 0; round < 20; ++round) {
         const PlannerSetup machine = setup();

@@ -122,7 +122,7 @@ double total_deviations(const Collected& out, int& count) {
 
 class Blends : public testing::TestWithParam<CornerRule> {};
 
-TEST_P(Blends, ASquareStaysWithinTheTolerance) {
+TEST_P(Blends, UseFullToleranceAtCornersOfSquare) {
     const PlannerSetup setup = blend_setup(GetParam());
     Path path(setup);
     path.tolerance_mm = 0.05;
@@ -138,7 +138,7 @@ TEST_P(Blends, ASquareStaysWithinTheTolerance) {
     expect_one_motion(path.out(), setup);
 }
 
-TEST_P(Blends, AFineToleranceIsTheControllersUnlessTheProgramSetsOne) {
+TEST_P(Blends, UseControllerToleranceUnlessProgrammed) {
     PlannerSetup setup = blend_setup(GetParam());
     setup.controller.corners.blend_tolerance_mm = 0.01;
     for (const double programmed_mm : {0.0, 0.2}) {
@@ -159,7 +159,7 @@ TEST_P(Blends, AFineToleranceIsTheControllersUnlessTheProgramSetsOne) {
     EXPECT_EQ(exact.exit_speed(0), 0);
 }
 
-TEST_P(Blends, SlowFeedsNeedLessThanTheTolerance) {
+TEST_P(Blends, UseLessThanToleranceAtLowFeed) {
     const PlannerSetup setup = blend_setup(GetParam());
     Path path(setup);
     path.tolerance_mm = 1;
@@ -177,7 +177,7 @@ TEST_P(Blends, SlowFeedsNeedLessThanTheTolerance) {
     }
 }
 
-TEST_P(Blends, HalfOfAShortLineIsCutAtMost) {
+TEST_P(Blends, ReplaceAtMostHalfOfShortLine) {
     PlannerSetup setup = blend_setup(GetParam());
     setup.controller.corners.blend_tolerance_mm = 5;
     Path path(setup);
@@ -190,7 +190,7 @@ TEST_P(Blends, HalfOfAShortLineIsCutAtMost) {
     expect_one_motion(path.out(), setup);
 }
 
-TEST_P(Blends, RotaryJointsHaveATolerance) {
+TEST_P(Blends, UseToleranceOfRotaryJoints) {
     PlannerSetup setup = blend_setup(GetParam());
     setup.joints.push_back({rrs::JointKind::revolute, -kUnlimited, kUnlimited, 1, 2});
     setup.joints.back().max_jerk = 40;
@@ -208,7 +208,7 @@ TEST_P(Blends, RotaryJointsHaveATolerance) {
     expect_one_motion(path.out(), setup);
 }
 
-TEST_P(Blends, CornersWithAnArcAreExact) {
+TEST_P(Blends, StopAtCornerBetweenLineAndArc) {
     const PlannerSetup setup = blend_setup(GetParam());
     Path path(setup);
     path.line(20, 0);
@@ -224,7 +224,7 @@ TEST_P(Blends, CornersWithAnArcAreExact) {
 }
 
 /// On random paths with arcs between the lines, of short lines and long ones, all limits hold.
-TEST_P(Blends, LimitsHoldOnRandomWays) {
+TEST_P(Blends, KeepLimitsOnRandomPaths) {
     std::mt19937 random(31);
     std::uniform_real_distribution<double> unit(-1, 1);
     int blends = 0;
@@ -254,7 +254,7 @@ TEST_P(Blends, LimitsHoldOnRandomWays) {
 
 /// However few blocks are known, rounding corners costs no time compared with stopping at them. It costs
 /// little if sharp corners must be passed without jumps of the acceleration.
-TEST_P(Blends, FewBlocksKnownAreNoTrap) {
+TEST_P(Blends, AreHardlySlowerThanStopsWithShortLookAhead) {
     std::mt19937 random(32);
     const double allowed = GetParam() == CornerRule::smooth_blend ? 1.05 : 1.001;
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -282,7 +282,7 @@ INSTANTIATE_TEST_SUITE_P(Both, Blends, testing::Values(CornerRule::parabolic_ble
                          });
 
 /// 90 degrees: each of two joints changes its speed by v in 2 d / v, with d = 4 / sqrt(2) of the tolerance.
-TEST(Blend, SpeedOfARightAngle) {
+TEST(Blend, AccelerationLimitsSpeedAtRightAngle) {
     Path path(blend_setup(CornerRule::parabolic_blend));
     path.tolerance_mm = 0.05;
     path.line(20, 0);
@@ -296,7 +296,7 @@ TEST(Blend, SpeedOfARightAngle) {
     EXPECT_EQ(path.out().segments[2].target_id, 2);
 }
 
-TEST(Blend, JerkLimitsASmoothOne) {
+TEST(Blend, JerkLimitsSpeedOfSmoothBlend) {
     Path path(blend_setup(CornerRule::smooth_blend));
     path.tolerance_mm = 0.05;
     path.line(20, 0);
@@ -306,7 +306,7 @@ TEST(Blend, JerkLimitsASmoothOne) {
     EXPECT_NEAR(path.exit_speed(0), std::cbrt(2e4 * cut_mm * cut_mm), 1e-9);
 }
 
-TEST(Blend, IsACriterionOfFlyby) {
+TEST(Blend, CanBeSelectedAsFlybyCriterion) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
     setup.controller.corners.continuous = CornerRule::parabolic_blend;

@@ -61,7 +61,7 @@ class CartesianTarget : public AnyPlanner {
 
 INSTANTIATE_TEST_SUITE_P(Ways, CartesianTarget, all_ways(), way_name);
 
-TEST_P(CartesianTarget, LineInTheWorld) {
+TEST_P(CartesianTarget, MovesAlongLineInWorldFrame) {
     CartPos end = start;
     end.translation() += Vector3d(100, 200, -50);
     move([&] { return to(end); });
@@ -70,7 +70,7 @@ TEST_P(CartesianTarget, LineInTheWorld) {
     EXPECT_NEAR(full.distance_mm, Vector3d(100, 200, -50).norm(), 1e-5);
 }
 
-TEST_P(CartesianTarget, ArcByCentreKeepsItsSenseInTheWorld) {
+TEST_P(CartesianTarget, ArcByCenterKeepsDirectionInWorldFrame) {
     const Vector3d center = start.translation() - Vector3d(100, 0, 0);
     CartPos end = start;
     end.translation() = center + Vector3d(0, 100, 0);
@@ -81,7 +81,7 @@ TEST_P(CartesianTarget, ArcByCentreKeepsItsSenseInTheWorld) {
     EXPECT_NEAR(full.distance_mm, 50 * kPi, 1e-5);
 }
 
-TEST_P(CartesianTarget, ArcThroughAViaPointInTheWorld) {
+TEST_P(CartesianTarget, ArcPassesViaPointInWorldFrame) {
     planner.SelectMotionType(rrs::MotionType::circular);
     const Vector3d center = start.translation() - Vector3d(100, 0, 0);
     CartPos via = start, end = start;
@@ -94,7 +94,7 @@ TEST_P(CartesianTarget, ArcThroughAViaPointInTheWorld) {
     EXPECT_LT((middle.translation() - via.translation()).norm(), 1e-6);
 }
 
-TEST_P(CartesianTarget, JointMotionGoesToThePose) {
+TEST_P(CartesianTarget, JointMotionReachesPose) {
     planner.SelectMotionType(rrs::MotionType::joint);
     const CartPos end = start * pose_from_rpy({.x_mm = 100, .roll_rad = 0.4, .pitch_rad = 0.3});
     move([&] { return to(end); });
@@ -103,14 +103,14 @@ TEST_P(CartesianTarget, JointMotionGoesToThePose) {
     EXPECT_NEAR(full.joints[4], 0.3, 1e-9);
 }
 
-TEST_P(CartesianTarget, MatrixThatIsNoPoseIsRefused) {
+TEST_P(CartesianTarget, RejectsScaledRotationMatrix) {
     CartPos bad = start;
     bad.linear() *= 1.1;
     EXPECT_EQ(to(bad), Status::RRS_INVALID_PARAMETER);
     EXPECT_THAT(message(planner), testing::HasSubstr("is not a rotation"));
 }
 
-TEST_P(CartesianTarget, UnreachablePoseIsRefused) {
+TEST_P(CartesianTarget, RejectsPoseWithoutInverseKinematics) {
     std::mt19937 random(1);
     const auto forward_only = make(odd_setup(random));
     forward_only->Initialize();
@@ -119,7 +119,7 @@ TEST_P(CartesianTarget, UnreachablePoseIsRefused) {
     EXPECT_THAT(message(*forward_only), testing::HasSubstr("no inverse kinematics"));
 }
 
-TEST_P(CartesianTarget, KinematicsServicesUndoEachOther) {
+TEST_P(CartesianTarget, InverseKinematicsInvertsForwardKinematics) {
     const rrs::JointPos joints = joint_pos({100, 200, 300, 0.4, 0.5});
     CartPos pose;
     rrs::JointPos back;

@@ -23,7 +23,7 @@ Vector3d random_point(std::mt19937& random, double scale) {
     return {number(random), number(random), number(random)};
 }
 
-TEST(ArcThrough, PassesViaBetweenStartAndEnd) {
+TEST(ArcThrough, PassesViaPointBetweenStartAndEnd) {
     std::mt19937 random(9);
     for (int i = 0; i < 20'000; ++i) {
         const Vector3d a = random_point(random, 1000), b = random_point(random, 1000),
@@ -42,7 +42,7 @@ TEST(ArcThrough, PassesViaBetweenStartAndEnd) {
     }
 }
 
-TEST(ArcThrough, TheLongWayRoundIsTakenWhereViaLiesThere) {
+TEST(ArcThrough, ViaPointSelectsShortOrLongArc) {
     Arc arc;
     ASSERT_TRUE(arc_through({1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, arc));
     EXPECT_NEAR(arc.sweep_rad, 1.5 * kPi, 1e-12);
@@ -50,7 +50,7 @@ TEST(ArcThrough, TheLongWayRoundIsTakenWhereViaLiesThere) {
     EXPECT_NEAR(arc.sweep_rad, 0.5 * kPi, 1e-12);
 }
 
-TEST(ArcThrough, NearlyStraightArcsAreExact) {
+TEST(ArcThrough, IsExactIfNearlyStraight) {
     Arc arc;
     const Vector3d a(1000, 0, 0), b(1500, 0.001, 0), c(2000, 0, 0);
     ASSERT_TRUE(arc_through(a, b, c, arc));
@@ -58,7 +58,7 @@ TEST(ArcThrough, NearlyStraightArcsAreExact) {
     EXPECT_LT((arc.at(0) - a).norm(), 1e-6);
 }
 
-TEST(ArcThrough, PointsOnOneLineGiveNoCircle) {
+TEST(ArcThrough, RejectsCollinearOrCoincidentPoints) {
     const auto rejection = [](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
         Arc arc;
         const PlanResult planned = arc_through(a, b, c, arc);
@@ -76,7 +76,7 @@ TEST(ArcThrough, PointsOnOneLineGiveNoCircle) {
     EXPECT_EQ(rejection({1, 2, 3}, {4, 5, 7}, {1, 2, 3}), coincide);
 }
 
-TEST(ArcAbout, RandomArcsAndHelicesStartAndEndWhereTold) {
+TEST(ArcAbout, KeepsStartAndEndOfRandomArcsAndHelices) {
     std::mt19937 random(10);
     std::uniform_real_distribution<double> sweep(0.001, 20);
     for (int i = 0; i < 20'000; ++i) {
@@ -96,7 +96,7 @@ TEST(ArcAbout, RandomArcsAndHelicesStartAndEndWhereTold) {
     }
 }
 
-TEST(ArcAbout, FullCirclesAndSeveralTurns) {
+TEST(ArcAbout, AcceptsFullCirclesAndSeveralTurns) {
     Arc arc;
     ASSERT_TRUE(arc_about({5, 0, 0}, {5, 0, 0}, {0, 0, 0}, Vector3d::UnitZ(), 2 * kPi, kTolerance_mm, arc));
     EXPECT_NEAR(arc.length_mm(), 10 * kPi, 1e-12);
@@ -108,7 +108,7 @@ TEST(ArcAbout, FullCirclesAndSeveralTurns) {
     EXPECT_EQ(arc.center.z(), 0);
 }
 
-TEST(ArcAbout, RadiiThatDifferSlightlyMakeASpiralThatEndsInPlace) {
+TEST(ArcAbout, MakesSpiralToTargetIfRadiiDifferSlightly) {
     Arc arc;
     const Vector3d start(10, 0, 0), end(0, 10.01, 0);
     ASSERT_TRUE(arc_about(start, end, {0, 0, 0}, Vector3d::UnitZ(), kPi / 2, kTolerance_mm, arc));
@@ -116,14 +116,14 @@ TEST(ArcAbout, RadiiThatDifferSlightlyMakeASpiralThatEndsInPlace) {
     EXPECT_LT((arc.at(arc.sweep_rad) - end).norm(), 1e-12);
 }
 
-TEST(ArcAbout, SweepGivesWayToATargetSlightlyOff) {
+TEST(ArcAbout, AdjustsSweepToTargetWithinTolerance) {
     Arc arc;
     const Vector3d end(10 * std::cos(1.001), 10 * std::sin(1.001), 0);
     ASSERT_TRUE(arc_about({10, 0, 0}, end, {0, 0, 0}, Vector3d::UnitZ(), 1, kTolerance_mm, arc));
     EXPECT_NEAR(arc.sweep_rad, 1.001, 1e-12);
 }
 
-TEST(ArcAbout, TargetsOffTheCircleAreRefused) {
+TEST(ArcAbout, RejectsTargetOffCircle) {
     Arc arc;
     const auto rejection = [&](const Vector3d& end, const Vector3d& center, double sweep) {
         const PlanResult planned =
@@ -138,7 +138,7 @@ TEST(ArcAbout, TargetsOffTheCircleAreRefused) {
     EXPECT_THAT(rejection({0, 10, 0}, {1e12, 0, 0}, 1), HasSubstr("too large"));
 }
 
-TEST(ArcAbout, SmallCirclesGetNoMoreSlackThanHalfTheirRadius) {
+TEST(ArcAbout, LimitsToleranceOfSmallCircles) {
     Arc arc;
     EXPECT_FALSE(
         arc_about({0.02, 0, 0}, {-0.02, 0, 0}, {0, 0, 0}, Vector3d::UnitZ(), 0.1, kTolerance_mm, arc));
@@ -146,7 +146,7 @@ TEST(ArcAbout, SmallCirclesGetNoMoreSlackThanHalfTheirRadius) {
         arc_about({0.02, 0, 0}, {0, 0.06, 0}, {0, 0, 0}, Vector3d::UnitZ(), kPi / 2, kTolerance_mm, arc));
 }
 
-TEST(ArcAbout, BadNumbersAreRefused) {
+TEST(ArcAbout, RejectsInvalidNumbers) {
     Arc arc;
     const auto status = [&](const Vector3d& center, const Vector3d& axis, double sweep) {
         return arc_about({10, 0, 0}, {0, 10, 0}, center, axis, sweep, kTolerance_mm, arc).error().status;

@@ -15,9 +15,9 @@ constexpr double kBelt_mm_s = 100;
 constexpr double kAcceleration_mm_s2 = 490.33;
 constexpr int kConveyor = 7;
 
-class Tracking : public testing::Test {
+class ConveyorTracking : public testing::Test {
   protected:
-    Tracking() : planner(gantry_setup(), &collector) {
+    ConveyorTracking() : planner(gantry_setup(), &collector) {
         planner.Initialize();
         planner.SetInitialPosition(rrs::CartPos::Identity(), joint_pos({100, 200, 50, 0, 0}), "");
         planner.SelectMotionType(rrs::MotionType::linear);
@@ -47,7 +47,7 @@ class Tracking : public testing::Test {
     rrs::TargetId next_ = 1;
 };
 
-TEST_F(Tracking, ItSpeedsUpFollowsAndSlowsDown) {
+TEST_F(ConveyorTracking, AcceleratesFollowsAndDecelerates) {
     start_belt();
     const double ramp_s = kBelt_mm_s / kAcceleration_mm_s2;
     EXPECT_NEAR(planner.time_s(), ramp_s, 1e-12);
@@ -70,7 +70,7 @@ TEST_F(Tracking, ItSpeedsUpFollowsAndSlowsDown) {
     EXPECT_NEAR(at(half_s)[1], 240, 1e-9);
 }
 
-TEST_F(Tracking, PlacesAndSpeedsAreContinuousAndWithinTheLimits) {
+TEST_F(ConveyorTracking, KeepsPositionAndSpeedContinuousWithinLimits) {
     start_belt();
     const double x = planner.position()[0];
     planner.SetRapid(true);
@@ -98,7 +98,7 @@ TEST_F(Tracking, PlacesAndSpeedsAreContinuousAndWithinTheLimits) {
     EXPECT_LT(velocity.norm(), 1e-6);
 }
 
-TEST_F(Tracking, WhatCannotBeIsRefused) {
+TEST_F(ConveyorTracking, RejectsInvalidRequests) {
     EXPECT_EQ(planner.SelectTracking(kConveyor, true), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.SetConveyorPosition(kConveyor, 0), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.DefineConveyor(kConveyor, Eigen::Vector3d::Zero(), 1), Status::RRS_INVALID_PARAMETER);

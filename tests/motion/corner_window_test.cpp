@@ -73,7 +73,7 @@ void expect_bounded(const Path& path) {
         EXPECT_LE(excess(all, window), bound) << window;
 }
 
-TEST(CornerWindow, APolygonTakesAboutWhatItsArcTakes) {
+TEST(CornerWindow, PolygonTakesAboutTimeOfArc) {
     for (const double radius_mm : {2.0, 5.0, 10.0, 20.0}) {
         Path arc(stepping_setup());
         arc.arc(radius_mm, 0, 2 * kPi, 100);
@@ -90,7 +90,7 @@ TEST(CornerWindow, APolygonTakesAboutWhatItsArcTakes) {
     }
 }
 
-TEST(CornerWindow, SeventyTwoChordsKeepTheAcceleration) {
+TEST(CornerWindow, SeventyTwoChordsKeepAccelerationLimit) {
     Path path(stepping_setup());
     polygon(path, 72, 5);
     path.standstill();
@@ -100,7 +100,7 @@ TEST(CornerWindow, SeventyTwoChordsKeepTheAcceleration) {
     expect_bounded(path);
 }
 
-TEST(CornerWindow, RandomWaysKeepStepAndAcceleration) {
+TEST(CornerWindow, RandomPathsKeepSpeedStepAndAcceleration) {
     std::mt19937 random(17);
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (int i = 0; i < 60; ++i) {
@@ -127,7 +127,7 @@ TEST(CornerWindow, RandomWaysKeepStepAndAcceleration) {
     }
 }
 
-TEST(CornerWindow, CornersFarApartAreEachForThemselves) {
+TEST(CornerWindow, DistantCornersEachUseFullSpeedStep) {
     Path path(stepping_setup());
     path.line(50, 0);
     path.line(50, 50);
@@ -137,7 +137,7 @@ TEST(CornerWindow, CornersFarApartAreEachForThemselves) {
     EXPECT_NEAR(path.exit_speed(1), kStep, 1e-9);
 }
 
-TEST(CornerWindow, TwoCornersCloseTogetherShareOneStep) {
+TEST(CornerWindow, CloseCornersShareOneSpeedStep) {
     Path path(stepping_setup());
     path.line(50, 0);
     const double turn = kPi / 6;

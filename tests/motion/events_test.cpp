@@ -50,7 +50,7 @@ class Events : public AnyPlanner {
 INSTANTIATE_TEST_SUITE_P(Ways, Events, all_ways(), way_name);
 
 // 100 mm at 100 mm/s with 1000 mm/s2: 1.1 s, and 2.2 s for both.
-TEST_P(Events, ByTime) {
+TEST_P(Events, OccurAtTimeRelativeToTarget) {
     to(100);
     to(200);
     planner().DefineEvent(1, 1, 0);
@@ -66,7 +66,7 @@ TEST_P(Events, ByTime) {
     EXPECT_NEAR(times_s.at(4), 0.2, 1e-9);
 }
 
-TEST_P(Events, ByWay) {
+TEST_P(Events, OccurAtDistanceFromTarget) {
     to(100);
     to(200);
     planner().DefinePathEvent(1, 1, -50);
@@ -84,7 +84,7 @@ TEST_P(Events, ByWay) {
     EXPECT_NEAR(run().at(5), 2.2 + 0.05 + 0.3, 1e-9) << "30 mm into the next move";
 }
 
-TEST_P(Events, OfThePastComeTrueAtOnce) {
+TEST_P(Events, OccurInNextStepIfTimeHasPassed) {
     to(100);
     run();
     planner().DefineEvent(1, 1, 0);
@@ -95,7 +95,7 @@ TEST_P(Events, OfThePastComeTrueAtOnce) {
     EXPECT_NEAR(times_s.at(2), 2.2 - 50, 1e-9) << "in the first step after it was known, but when it was";
 }
 
-TEST_P(Events, AreTakenBackAndReplaced) {
+TEST_P(Events, CanBeCancelledAndReplaced) {
     to(100);
     planner().DefineEvent(1, 1, 0);
     planner().DefineEvent(2, 1, 0);
@@ -108,7 +108,7 @@ TEST_P(Events, AreTakenBackAndReplaced) {
     EXPECT_NEAR(times_s.at(2), 1.0, 1e-9);
 }
 
-TEST_P(Events, WaitForAStop) {
+TEST_P(Events, WaitWhileMotionIsStopped) {
     to(100);
     planner().DefinePathEvent(1, 1, -40);
     planner().DefineEvent(2, 1, 0);
@@ -132,9 +132,9 @@ PlannerSetup holding_setup(rrs::PlannerKind kind) {
     return setup;
 }
 
-class HeldEvents : public testing::TestWithParam<rrs::PlannerKind> {
+class PendingTargetEvents : public testing::TestWithParam<rrs::PlannerKind> {
   protected:
-    HeldEvents() {
+    PendingTargetEvents() {
         planner().SetCartesianPositionSpeed(60);
         planner().SelectMotionType(rrs::MotionType::linear);
         planner().SelectFlybyMode(true);
@@ -200,7 +200,7 @@ class HeldEvents : public testing::TestWithParam<rrs::PlannerKind> {
     double elapsed_s_ = 0;
 };
 
-INSTANTIATE_TEST_SUITE_P(Models, HeldEvents,
+INSTANTIATE_TEST_SUITE_P(Models, PendingTargetEvents,
                          testing::Values(rrs::PlannerKind::look_ahead, rrs::PlannerKind::linuxcnc,
                                          rrs::PlannerKind::klipper),
                          [](const auto& model) {
@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Models, HeldEvents,
                              return linuxcnc ? "linuxcnc" : klipper ? "klipper" : "look_ahead";
                          });
 
-TEST_P(HeldEvents, BeforeATargetThatIsHeldBackComeInTheirStep) {
+TEST_P(PendingTargetEvents, OccurInTheirStep) {
     enqueue(40);
     planner().DefineEvent(1, 20, -0.4);
     planner().DefineEvent(2, 40, -0.3);
@@ -225,7 +225,7 @@ TEST_P(HeldEvents, BeforeATargetThatIsHeldBackComeInTheirStep) {
 }
 
 /// Targets come as the queue has space for them; an event precedes its target by more than is planned.
-TEST_P(HeldEvents, AStreamOfTargetsIsPlannedAsFarAsAnEventNeeds) {
+TEST_P(PendingTargetEvents, PlanTargetStreamAsFarAsEventNeeds) {
     enqueue(4);
     planner().DefineEvent(1, 4, -0.1);
     for (int i = 0; i < 2; ++i) step();
@@ -235,7 +235,7 @@ TEST_P(HeldEvents, AStreamOfTargetsIsPlannedAsFarAsAnEventNeeds) {
     EXPECT_GE(latest_s_, 0);
 }
 
-TEST_P(HeldEvents, KeepTheirTimeWhereTheyAreKnownTooLate) {
+TEST_P(PendingTargetEvents, KeepTimeIfKnownTooLate) {
     enqueue(30);
     planner().DefineEvent(1, 10, 0.02);
     planner().DefineEvent(2, 12, -0.02);

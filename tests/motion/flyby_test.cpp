@@ -26,7 +26,7 @@ double corner_speed(ReadyPlanner& ready) {
     return ready.collector.segments.at(first).master.end_speed();
 }
 
-TEST(Flyby, CriteriaOfALookAhead) {
+TEST(Flyby, SelectedCriterionSetsCornerSpeed) {
     ReadyPlanner ready(make_setup(PlannerKind::look_ahead), joint_pos({0, 0, 0, 0, 0}));
     DefaultPlanner& planner = ready.planner;
     planner.SelectMotionType(rrs::MotionType::linear);
@@ -52,7 +52,7 @@ TEST(Flyby, CriteriaOfALookAhead) {
 class FlybyServices : public AnyPlanner {};
 INSTANTIATE_TEST_SUITE_P(Ways, FlybyServices, all_ways(), way_name);
 
-TEST_P(FlybyServices, WhatAControllerDoesNotHaveItRefuses) {
+TEST_P(FlybyServices, RejectModesUnsupportedByController) {
     for (const auto kind : {PlannerKind::rest_to_rest, PlannerKind::look_ahead, PlannerKind::linuxcnc}) {
         ReadyShell ready(make(make_setup(kind)), joint_pos({0, 0, 0, 0, 0}));
         const auto expected_status = [&](bool has) {

@@ -30,7 +30,7 @@ double integrated_lag(const TimeLaw& law, double lag, double gain_1_s) {
     return lag;
 }
 
-TEST(FollowingError, AgreesWithAnIntegration) {
+TEST(FollowingError, AgreesWithNumericalIntegration) {
     std::mt19937 random(41);
     std::uniform_real_distribution<double> log_scale(-2, 2);
     for (int run = 0; run < 40; ++run) {
@@ -46,7 +46,7 @@ TEST(FollowingError, AgreesWithAnIntegration) {
 }
 
 /// After a long cruise and a ramp down at the deceleration a, the error is a / gain^2 (1 - exp(-gain t)).
-TEST(FollowingError, OfARampDown) {
+TEST(FollowingError, MatchesClosedFormAfterRampDown) {
     const double gain_1_s = 33.3;
     const TimeLaw law = TimeLaw::between(1000, 0, 0, {100, 500, 500});
     const double ramp_s = 100.0 / 500;
@@ -61,7 +61,7 @@ PlannerSetup loop_setup() {
     return setup;
 }
 
-TEST(FollowingError, AnExactStopWaitsUntilTheErrorIsInItsBand) {
+TEST(FollowingError, ExactStopWaitsUntilErrorIsInBand) {
     PlannerSetup setup = loop_setup();
     setup.controller.position_loop.settle_s = 0.125;
     Path path(setup);
@@ -79,7 +79,7 @@ TEST(FollowingError, AnExactStopWaitsUntilTheErrorIsInItsBand) {
     EXPECT_NEAR(path.out().segments[3].duration_s, 0.125, 1e-9);
 }
 
-TEST(FollowingError, AJointHasItsShareAndItsBand) {
+TEST(FollowingError, RotaryJointHasOwnShareAndBand) {
     PlannerSetup setup = loop_setup();
     setup.joints.push_back({rrs::JointKind::revolute});
     setup.controller.position_loop.in_position_deg = 0.001;

@@ -20,7 +20,7 @@ class JointMove : public testing::Test {
     ReadyPlanner at;
 };
 
-TEST_F(JointMove, LeadingJointRunsAtItsLimitsAndTheOthersInProportion) {
+TEST_F(JointMove, SlowestJointRunsAtLimitsOthersInProportion) {
     const Segment& segment = go({600, 520, 300, kPi, 0.5});
     EXPECT_EQ(segment.kind, SegmentKind::joint);
     EXPECT_DOUBLE_EQ(segment.duration_s, trapezoid_s(kPi, kPi / 2, kPi / 2));
@@ -35,7 +35,7 @@ TEST_F(JointMove, LeadingJointRunsAtItsLimitsAndTheOthersInProportion) {
     EXPECT_DOUBLE_EQ(segment.length_mm, std::hypot(100, 20));
 }
 
-TEST_F(JointMove, NeedsNoProgrammedSpeedButKeepsOne) {
+TEST_F(JointMove, KeepsProgrammedJointSpeedButNeedsNone) {
     const std::vector<int> joint{0};
     const std::vector<double> slow{50}, gentle{25};
     at.planner.SetJointSpeeds(joint, slow);
@@ -46,24 +46,24 @@ TEST_F(JointMove, NeedsNoProgrammedSpeedButKeepsOne) {
     EXPECT_DOUBLE_EQ(go({500, 600, 300, 0, 0}).duration_s, 200 / 25.0 + 25 / 25.0);
 }
 
-TEST_F(JointMove, ProgrammedValuesNeverPassTheLimits) {
+TEST_F(JointMove, ProgrammedValuesNeverExceedLimits) {
     at.planner.SetJointSpeeds({}, std::vector<double>(5, 1e6));
     at.planner.SetJointAccelerations({}, std::vector<double>(5, 1e6));
     EXPECT_DOUBLE_EQ(go({1500, 500, 300, 0, 0}).duration_s, trapezoid_s(1000, 508, 490.33));
 }
 
-TEST_F(JointMove, MotionTimeCountsHereToo) {
+TEST_F(JointMove, TakesProgrammedMotionTime) {
     at.planner.SetMotionTime(30);
     EXPECT_EQ(go({600, 520, 300, kPi, 0.5}).duration_s, 30);
     expect_smooth(at.last());
 }
 
-TEST_F(JointMove, GoingNowhereIsASegmentOfNoDuration) {
+TEST_F(JointMove, ZeroDistanceGivesSegmentWithoutDuration) {
     EXPECT_EQ(go({500, 500, 300, 0, 0}).duration_s, 0);
     EXPECT_EQ(at.last().kind, SegmentKind::joint);
 }
 
-TEST_F(JointMove, WithoutAnyLimitThereIsNoTimeToTake) {
+TEST_F(JointMove, RejectsUnlimitedMoveWithoutMotionTime) {
     PlannerSetup setup = gantry_setup();
     for (JointSetup& joint : setup.joints) joint.max_speed = joint.max_acceleration = kUnlimited;
     ReadyPlanner planner(setup, joint_pos({0, 0, 0, 0, 0}));

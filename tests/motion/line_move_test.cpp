@@ -27,7 +27,7 @@ class LineMove : public testing::Test {
     const double quarter = kPi / 2;
 };
 
-TEST_F(LineMove, TakesTheTimeOfTheTrapezoidAtTheProgrammedSpeed) {
+TEST_F(LineMove, TakesTrapezoidTimeAtProgrammedSpeed) {
     const Segment& segment = go({800, 900, 300, 0, 0});
     EXPECT_EQ(segment.kind, SegmentKind::linear);
     EXPECT_DOUBLE_EQ(segment.length_mm, 500);
@@ -38,12 +38,12 @@ TEST_F(LineMove, TakesTheTimeOfTheTrapezoidAtTheProgrammedSpeed) {
     EXPECT_TRUE(segment.position_at(segment.duration_s / 2).isApprox(joint_pos({650, 700, 300, 0, 0})));
 }
 
-TEST_F(LineMove, SpeedIsCappedByTheFeedLimitOfThePath) {
+TEST_F(LineMove, PathFeedLimitCapsSpeed) {
     at.planner.SetCartesianPositionSpeed(1000);
     EXPECT_DOUBLE_EQ(go({1500, 500, 300, 0, 0}).duration_s, 1000 / 254.0 + 254 / acceleration);
 }
 
-TEST_F(LineMove, RapidTakesTheRapidLimitAndTheJointsAlone) {
+TEST_F(LineMove, RapidUsesOnlyRapidAndJointLimits) {
     at.planner.SetCartesianPositionSpeed(1);
     at.planner.SetCartesianPositionAcceleration(1);
     at.planner.SetRapid(true);
@@ -66,7 +66,7 @@ TEST_F(LineMove, RapidNeedsNoProgrammedSpeed) {
 }
 
 // Expected are the ramps that each joint may make in its share of the path, the slowest of them for all.
-TEST_F(LineMove, AllJointsGoInProportionByTheSlowestOfThem) {
+TEST_F(LineMove, JointsMoveInProportionToSlowestJoint) {
     const Segment& slow = go({600, 500, 300, kPi, 0});
     EXPECT_TRUE(slow.followers().empty());
     EXPECT_DOUBLE_EQ(slow.duration_s, trapezoid_s(100, quarter / kPi * 100, quarter / kPi * 100));
@@ -80,7 +80,7 @@ TEST_F(LineMove, AllJointsGoInProportionByTheSlowestOfThem) {
     }
 }
 
-TEST_F(LineMove, RotaryJointsAloneLeadInTheSpaceOfTheirAngles) {
+TEST_F(LineMove, PureRotaryMoveIsPlannedInJointAngles) {
     const Segment& limits = go({500, 500, 300, 0.6, 0.8});
     EXPECT_EQ(limits.length_mm, 0);
     EXPECT_EQ(limits.path_speed_mm_s(0.5), 0);
@@ -92,7 +92,7 @@ TEST_F(LineMove, RotaryJointsAloneLeadInTheSpaceOfTheirAngles) {
     EXPECT_DOUBLE_EQ(go({500, 500, 300, 0.6, 0.8}).duration_s, trapezoid_s(1, quarter / 0.8, quarter / 0.8));
 }
 
-TEST_F(LineMove, DominanceTellsWhichProgrammedSpeedCounts) {
+TEST_F(LineMove, DominanceSelectsProgrammedSpeed) {
     at.planner.SetCartesianOrientationSpeed(0.1);
     const auto time_to = [&](Dominance dominance) {
         at.planner.SelectDominantInterpolation(dominance);
@@ -109,7 +109,7 @@ TEST_F(LineMove, DominanceTellsWhichProgrammedSpeedCounts) {
     EXPECT_DOUBLE_EQ(time_to(Dominance::automatic), by_position);
 }
 
-TEST_F(LineMove, DominanceLeavesMovesOfOneKindAlone) {
+TEST_F(LineMove, DominanceDoesNotAffectMovesOfOneKind) {
     at.planner.SelectDominantInterpolation(Dominance::orientation);
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 100.0 + 100 / acceleration);
     at.planner.SelectDominantInterpolation(Dominance::position);
@@ -117,7 +117,7 @@ TEST_F(LineMove, DominanceLeavesMovesOfOneKindAlone) {
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 1, 0}).duration_s, 1 / 0.1 + 0.1 / quarter);
 }
 
-TEST_F(LineMove, OverridesScaleWhatIsProgrammed) {
+TEST_F(LineMove, OverridesScaleProgrammedValues) {
     at.planner.SetOverrideSpeed(50);
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 50.0 + 50 / acceleration);
     at.planner.SetCartesianPositionAcceleration(200);
@@ -128,7 +128,7 @@ TEST_F(LineMove, OverridesScaleWhatIsProgrammed) {
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 200.0 + 200 / 400.0);
 }
 
-TEST_F(LineMove, MotionTimeStandsForTheSpeedOfOneMove) {
+TEST_F(LineMove, MotionTimeReplacesSpeedOfOneMove) {
     at.planner.SetMotionTime(20);
     EXPECT_EQ(go({1000, 500, 300, 1, 0}).duration_s, 20);
     EXPECT_DOUBLE_EQ(go({500, 500, 300, 1, 0}).duration_s, 500 / 100.0 + 100 / acceleration);
@@ -136,7 +136,7 @@ TEST_F(LineMove, MotionTimeStandsForTheSpeedOfOneMove) {
     EXPECT_EQ(go({1000, 500, 300, 1, 0}).duration_s, 3);
 }
 
-TEST_F(LineMove, MotionTimeTooShortIsRaisedAndTold) {
+TEST_F(LineMove, RaisesAndReportsTooShortMotionTime) {
     at.planner.SetMotionTime(0.1);
     EXPECT_EQ(at.to(joint_pos({1000, 500, 300, 0, 0})), Status::RRS_MOTION_TIME_RAISED);
     const double min = 500 / 254.0 + 254 / acceleration;
@@ -146,13 +146,13 @@ TEST_F(LineMove, MotionTimeTooShortIsRaisedAndTold) {
     EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, 0})), Status::RRS_SUCCESS);
 }
 
-TEST_F(LineMove, RefusedTargetLeavesTheMotionTimeForTheNext) {
+TEST_F(LineMove, RejectedTargetKeepsMotionTimeForNext) {
     at.planner.SetMotionTime(9);
     EXPECT_EQ(at.to(joint_pos({-1, 500, 300, 0, 0})), Status::RRS_JOINT_LIMIT);
     EXPECT_EQ(go({700, 500, 300, 0, 0}).duration_s, 9);
 }
 
-TEST_F(LineMove, GoingNowhereIsASegmentOfNoDuration) {
+TEST_F(LineMove, ZeroDistanceGivesSegmentWithoutDuration) {
     const Segment& segment = go({500, 500, 300, 0, 0});
     EXPECT_EQ(segment.kind, SegmentKind::linear);
     EXPECT_EQ(segment.target_id, 1);
@@ -163,14 +163,14 @@ TEST_F(LineMove, GoingNowhereIsASegmentOfNoDuration) {
     EXPECT_EQ(segment.at(0).position, start);
 }
 
-TEST_F(LineMove, RoundingIsNotMotion) {
+TEST_F(LineMove, IgnoresDistanceWithinRounding) {
     const Segment& segment = go({500 + 1e-12, 500, 300, 1, 0});
     EXPECT_EQ(segment.length_mm, 0);
     EXPECT_DOUBLE_EQ(segment.master.length(), 1);
     EXPECT_EQ(segment.end[0], 500 + 1e-12);
 }
 
-TEST_F(LineMove, SecondarySlideLeadsAloneAndFollowsBesideThePath) {
+TEST_F(LineMove, SecondaryLinearAxisLeadsOnlyIfAlone) {
     PlannerSetup setup = gantry_setup();
     setup.joints = {setup.joints[0], setup.joints[1], setup.joints[2], setup.joints[0], setup.joints[3]};
     setup.joints[3].max_speed = 20;
@@ -193,9 +193,9 @@ TEST_F(LineMove, SecondarySlideLeadsAloneAndFollowsBesideThePath) {
 }
 
 // Controller with joints outside the path that arrive with it by ramps of their own.
-class OwnRamps : public LineMove {
+class IndependentRamps : public LineMove {
   protected:
-    OwnRamps() : LineMove(independent_ramps()) {}
+    IndependentRamps() : LineMove(independent_ramps()) {}
     static PlannerSetup independent_ramps() {
         PlannerSetup setup = gantry_setup();
         setup.controller.coordination.independent_ramps = true;
@@ -203,7 +203,7 @@ class OwnRamps : public LineMove {
     }
 };
 
-TEST_F(OwnRamps, SlowerRotaryJointSetsTheTimeAndThePathRunsAlong) {
+TEST_F(IndependentRamps, SlowerRotaryJointSetsTimeOfPath) {
     const Segment& segment = go({600, 500, 300, kPi, 0});
     EXPECT_DOUBLE_EQ(segment.duration_s, kPi / quarter + 1);
     ASSERT_EQ(segment.followers().size(), 1U);
@@ -213,7 +213,7 @@ TEST_F(OwnRamps, SlowerRotaryJointSetsTheTimeAndThePathRunsAlong) {
     EXPECT_DOUBLE_EQ(segment.master.duration_s(), segment.duration_s);
 }
 
-TEST_F(OwnRamps, FasterRotaryJointIsStretchedToThePath) {
+TEST_F(IndependentRamps, FasterRotaryJointIsStretchedToPath) {
     const Segment& segment = go({1000, 500, 300, -0.1, 0.2});
     EXPECT_DOUBLE_EQ(segment.duration_s, 500 / 100.0 + 100 / acceleration);
     ASSERT_EQ(segment.followers().size(), 2U);
@@ -225,7 +225,7 @@ TEST_F(OwnRamps, FasterRotaryJointIsStretchedToThePath) {
     EXPECT_NEAR(segment.position_at(segment.duration_s / 2)[4], 0.1, 1e-12);
 }
 
-TEST_F(OwnRamps, ProgrammedSpeedOfOrientation) {
+TEST_F(IndependentRamps, ProgrammedOrientationSpeedSetsTime) {
     at.planner.SetCartesianOrientationSpeed(0.1);
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 1, 0}).duration_s, 1 / 0.1 + 0.1 / quarter);
 }

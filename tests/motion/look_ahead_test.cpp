@@ -62,7 +62,7 @@ void expect_jerk_along_the_way(const Collected& out, const PlannerSetup& setup) 
     }
 }
 
-TEST(LookAhead, OneLineIsATrapezoid) {
+TEST(LookAhead, SingleLineIsTrapezoid) {
     Path path(router_setup());
     path.line(100, 0);
     EXPECT_TRUE(path.out().segments.empty()) << "more may come";
@@ -72,7 +72,7 @@ TEST(LookAhead, OneLineIsATrapezoid) {
 }
 
 /// Speeds that were measured on grbl 1.1 with these settings.
-TEST(LookAhead, JunctionDeviationIsGrbls) {
+TEST(LookAhead, JunctionDeviationMatchesGrbl) {
     const std::pair<double, double> kMeasured[] = {
         {15, 34.19}, {45, 11.46}, {90, 5.84}, {135, 2.59}, {180, 0}};
     for (const auto& [turn_deg, speed] : kMeasured) {
@@ -86,7 +86,7 @@ TEST(LookAhead, JunctionDeviationIsGrbls) {
     }
 }
 
-TEST(LookAhead, AWindowOfShortBlocksHoldsTheSpeedDown) {
+TEST(LookAhead, ShortBlocksInWindowLimitSpeed) {
     PlannerSetup setup = router_setup();
     Path path(setup);
     for (int i = 1; i <= 400; ++i) path.line(0.05 * i, 0);
@@ -102,7 +102,7 @@ TEST(LookAhead, AWindowOfShortBlocksHoldsTheSpeedDown) {
     expect_one_motion(far.out(), setup);
 }
 
-TEST(LookAhead, ExactStopsStopAndStraightOnPassesInExactPathMode) {
+TEST(LookAhead, ExactPathModeStopsOnlyAtCorners) {
     PlannerSetup setup = router_setup();
     setup.controller.corners.exact_path = CornerRule::stop;
     Path path(setup);
@@ -119,7 +119,7 @@ TEST(LookAhead, ExactStopsStopAndStraightOnPassesInExactPathMode) {
     EXPECT_NEAR(path.out().time_s(), 2 * trapezoid_s(10, 100, 1000) + trapezoid_s(20, 100, 1000), 1e-9);
 }
 
-TEST(LookAhead, VelocityStepOfEachJoint) {
+TEST(LookAhead, VelocityStepOfJointsLimitsCornerSpeed) {
     PlannerSetup setup = router_setup();
     setup.controller.corners.continuous = CornerRule::velocity_step;
     setup.joints[0].max_speed_step = 12;
@@ -138,7 +138,7 @@ TEST(LookAhead, VelocityStepOfEachJoint) {
     EXPECT_NEAR(over_time.exit_speed(0), 3, 1e-9);
 }
 
-TEST(LookAhead, RapidAndFeedAreJoinedOrNot) {
+TEST(LookAhead, StopsBetweenRapidAndFeedIfConfigured) {
     for (const bool stops : {false, true}) {
         PlannerSetup setup = router_setup();
         setup.controller.corners.stop_between_rapid_and_feed = stops;
@@ -152,7 +152,7 @@ TEST(LookAhead, RapidAndFeedAreJoinedOrNot) {
     }
 }
 
-TEST(LookAhead, ACurveSharesTheAcceleration) {
+TEST(LookAhead, CentripetalShareReducesAccelerationAlongArc) {
     PlannerSetup setup = router_setup();
     setup.controller.ramps.centripetal_share = 0.6;
     Path path(setup);
@@ -169,7 +169,7 @@ TEST(LookAhead, ACurveSharesTheAcceleration) {
     expect_one_motion(fast.out(), setup);
 }
 
-TEST(LookAhead, ACurveMayHaveALimitOfItsOwn) {
+TEST(LookAhead, CentripetalShareAboveOneKeepsFullAcceleration) {
     PlannerSetup setup = router_setup();
     setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 500, 1000});
     setup.controller.ramps.centripetal_share = 2;
@@ -180,7 +180,7 @@ TEST(LookAhead, ACurveMayHaveALimitOfItsOwn) {
     EXPECT_NEAR(path.out().time_s(), trapezoid_s(40 * kPi, std::sqrt(2 * 1000 * 20.0), 1000), 1e-9);
 }
 
-TEST(LookAhead, ContinuousModeMayHaveAPartOfTheAcceleration) {
+TEST(LookAhead, ContinuousModeUsesItsAccelerationShare) {
     PlannerSetup setup = router_setup();
     setup.controller.ramps.continuous_acceleration_share = 0.5;
     for (const auto& [mode, acceleration] :
@@ -195,7 +195,7 @@ TEST(LookAhead, ContinuousModeMayHaveAPartOfTheAcceleration) {
 
 /// 200 lines of 0.1 mm at 10 ms each: 10 mm/s, but for the ramps at both ends. An arc is one block, also as
 /// chords.
-TEST(LookAhead, ABlockTakesTimeToBeMadeReady) {
+TEST(LookAhead, BlockTimeLimitsSpeed) {
     PlannerSetup setup = router_setup();
     setup.controller.blocks.time_s = 0.01;
     Path lines(setup);
@@ -229,7 +229,7 @@ TEST(LookAhead, ArcsBecomeChords) {
     }
 }
 
-TEST(LookAhead, StepsOfTheJointsAreTheEndsOfBlocks) {
+TEST(LookAhead, RoundsBlockEndsToJointSteps) {
     PlannerSetup setup = router_setup();
     setup.controller.curves.arc_chord_tolerance_mm = 0.002;
     for (JointSetup& joint : setup.joints) joint.step = 0.25;
@@ -244,7 +244,7 @@ TEST(LookAhead, StepsOfTheJointsAreTheEndsOfBlocks) {
     EXPECT_NEAR(path.out().segments[1].end[0], 2.25, 1e-12);
 }
 
-TEST(LookAhead, InverseTimeIsALineAtThatSpeed) {
+TEST(LookAhead, InverseTimeSetsSpeedOfLine) {
     PlannerSetup setup = router_setup();
     Collected out;
     LookAhead model(setup, out);
@@ -258,7 +258,7 @@ TEST(LookAhead, InverseTimeIsALineAtThatSpeed) {
     EXPECT_NEAR(out.time_s(), 3 + 20.0 / 1000, 1e-12) << "60 mm at 20 mm/s, the ramps on top";
 }
 
-TEST(LookAhead, WithoutASpeedItRefuses) {
+TEST(LookAhead, RejectsMoveWithoutSpeed) {
     PlannerSetup setup = router_setup();
     Collected out;
     LookAhead model(setup, out);
@@ -271,7 +271,7 @@ TEST(LookAhead, WithoutASpeedItRefuses) {
 }
 
 /// Random paths of lines and arcs, with and without jerk limits, by each rule.
-TEST(LookAhead, LimitsHoldOnRandomPaths) {
+TEST(LookAhead, KeepsLimitsOnRandomPaths) {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int run = 0; run < 60; ++run) {
@@ -312,7 +312,7 @@ TEST(LookAhead, LimitsHoldOnRandomPaths) {
 
 /// Blocks that are planned only when something must come out move as those that are planned one by one: by
 /// the window's length from each block, backwards, and from the start forwards.
-TEST(LookAhead, EachExitIsTheBestOfItsWindow) {
+TEST(LookAhead, ExitSpeedsAreOptimalInWindow) {
     std::mt19937 random(71);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int run = 0; run < 40; ++run) {
@@ -343,7 +343,7 @@ TEST(LookAhead, EachExitIsTheBestOfItsWindow) {
 }
 
 /// Each block is planned once, not once for each following block: this would take minutes.
-TEST(LookAhead, ManyBlocksBeforeAnyComesOut) {
+TEST(LookAhead, PlansManyPendingBlocks) {
     PlannerSetup setup = router_setup();
     setup.controller.blocks.look_ahead = 200'000;
     Path path(setup);
@@ -353,7 +353,7 @@ TEST(LookAhead, ManyBlocksBeforeAnyComesOut) {
 }
 
 /// A chord of a small arc may vanish on the grid of the joints' steps; the one before it reaches the target.
-TEST(LookAhead, AnArcReachesItsTargetWhereItsLastChordIsRoundedAway) {
+TEST(LookAhead, ArcReachesTargetIfLastChordIsRoundedAway) {
     PlannerSetup setup = router_setup();
     setup.controller.curves.arc_chord_tolerance_mm = 0.0002;
     for (JointSetup& joint : setup.joints) joint.step = 0.01;

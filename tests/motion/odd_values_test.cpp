@@ -124,7 +124,7 @@ class FiniteSink : public SegmentSink {
 
 // Without a sink the queue is soon full; a step of a century frees it. Each session in another process starts
 // such a process.
-TEST_P(OddValues, StepsOfAPlannerStayNumbers) {
+TEST_P(OddValues, StepsStayFinite) {
     const int sessions = GetParam().name == std::string_view("through_process") ? 150 : 1500;
     int reached = 0;
     for (int session = 0; session < sessions; ++session) {
@@ -154,7 +154,7 @@ class OddSegments : public OddValues {};
 INSTANTIATE_TEST_SUITE_P(Ways, OddSegments, testing::Values(PlannerMaker{"in_process", make_in_process}),
                          way_name);
 
-TEST_P(OddSegments, PlannerSurvivesAnything) {
+TEST_P(OddSegments, PlannerSurvivesRandomCalls) {
     int taken = 0;
     for (int session = 0; session < 6000; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);
@@ -173,7 +173,7 @@ TEST_P(OddSegments, PlannerSurvivesAnything) {
 }
 
 // Rounded corners, and stops that wait for a position loop.
-TEST_P(OddSegments, RoundedCornersSurviveAnything) {
+TEST_P(OddSegments, RoundedCornersSurviveRandomCalls) {
     int overlapping = 0;
     for (int session = 0; session < 1000; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);

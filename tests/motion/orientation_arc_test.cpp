@@ -48,7 +48,7 @@ class OrientationArcs : public testing::Test {
     std::mt19937 random{3};
 };
 
-TEST_F(OrientationArcs, DirectionGoesEvenlyAlongTheGreatCircleAndEndsAreExact) {
+TEST_F(OrientationArcs, MoveEvenlyAlongGreatCircleWithExactEnds) {
     int found = 0;
     for (int i = 0; i < 1000; ++i) {
         const double side = i % 2 == 0 ? 1 : -1;
@@ -71,7 +71,7 @@ TEST_F(OrientationArcs, DirectionGoesEvenlyAlongTheGreatCircleAndEndsAreExact) {
     EXPECT_GT(found, 500);
 }
 
-TEST_F(OrientationArcs, ShortWaysToo) {
+TEST_F(OrientationArcs, FollowGreatCircleOverShortDistances) {
     for (int i = 0; i < 500; ++i) {
         const HeadAngles start = pose();
         const double small = std::exp(-uniform(1, 14));
@@ -85,7 +85,7 @@ TEST_F(OrientationArcs, ShortWaysToo) {
     }
 }
 
-TEST_F(OrientationArcs, DerivativesAreTheSlopesOfTheValuesAndKeepTheirBounds) {
+TEST_F(OrientationArcs, DerivativesMatchSlopesWithinBounds) {
     for (int i = 0; i < 300; ++i) {
         const auto arc_path = arc(pose(), {uniform(-1, 1), uniform(0.05, kPi / 2)});
         if (!arc_path) continue;
@@ -119,7 +119,7 @@ TEST_F(OrientationArcs, DerivativesAreTheSlopesOfTheValuesAndKeepTheirBounds) {
 }
 
 // Clairaut: the turn is fastest if the circle is nearest to the pole, by 1 / sin(tilt).
-TEST_F(OrientationArcs, TurnsFastestNearThePole) {
+TEST_F(OrientationArcs, TurnFastestNearPole) {
     const auto arc_path = arc({-1, 0.4}, {1, 0.4});
     ASSERT_TRUE(arc_path);
     const double nearest = std::atan(std::tan(0.4) * std::cos(1));  // of a right-angled triangle
@@ -132,7 +132,7 @@ TEST_F(OrientationArcs, TurnsFastestNearThePole) {
     EXPECT_NEAR(arc_path->tilt_range().max, 0.4, 1e-12);
 }
 
-TEST_F(OrientationArcs, TiltRangeIsThatOfDenseInstants) {
+TEST_F(OrientationArcs, TiltRangeMatchesDenseSamples) {
     for (int i = 0; i < 300; ++i) {
         const double side = i % 2 == 0 ? 1 : -1;
         HeadAngles start{uniform(-1.5, 1.5), side * uniform(0.05, 3)};
@@ -154,7 +154,7 @@ TEST_F(OrientationArcs, TiltRangeIsThatOfDenseInstants) {
     }
 }
 
-TEST_F(OrientationArcs, ThroughThePoleTheTiltChangesItsSign) {
+TEST_F(OrientationArcs, TiltChangesSignThroughPole) {
     const HeadAngles start{0.3, -0.5};
     const HeadAngles end{0.3, 0.8};
     const auto arc_path = arc(start, end);
@@ -166,7 +166,7 @@ TEST_F(OrientationArcs, ThroughThePoleTheTiltChangesItsSign) {
     EXPECT_EQ(arc_path->bounds().first.tilt, 1);
 }
 
-TEST_F(OrientationArcs, PartsLieOnTheWhole) {
+TEST_F(OrientationArcs, PartsLieOnCompleteArc) {
     const auto arc_path = arc({-1.2, 0.9}, {1, 0.2});
     ASSERT_TRUE(arc_path);
     const double from = arc_path->length_rad() * 0.3;
@@ -179,7 +179,7 @@ TEST_F(OrientationArcs, PartsLieOnTheWhole) {
     EXPECT_LE(part.bounds().first.turn, arc_path->bounds().first.turn);
 }
 
-TEST_F(OrientationArcs, WhatHasNoWaySaysWhy) {
+TEST_F(OrientationArcs, ReportReasonOfImpossibleArc) {
     const auto reason = [&](HeadAngles start, HeadAngles end) {
         const auto arc_path = arc(start, end);
         EXPECT_FALSE(arc_path);

@@ -119,7 +119,7 @@ void run_random(PlannerSetup setup, unsigned seed) {
     EXPECT_EQ(target + 1, targets.size());
 }
 
-TEST(Orientation, RandomMovesFromRestToRestFollowGreatCirclesWithinLimits) {
+TEST(Orientation, RandomRestToRestMovesFollowGreatCirclesWithinLimits) {
     for (unsigned seed = 0; seed < 4; ++seed) {
         PlannerSetup setup = great_circle_setup();
         setup.controller.ramps.limit_jerk = seed % 2 == 1;
@@ -147,7 +147,7 @@ TEST(Orientation, SegmentsAreSmooth) {
 }
 
 // The joints of the position on their circle, those of the head on theirs.
-TEST(Orientation, GoesWithArcsAsWell) {
+TEST(Orientation, FollowsGreatCircleDuringArcMove) {
     for (const PlannerKind kind : {PlannerKind::rest_to_rest, PlannerKind::look_ahead}) {
         const PlannerSetup setup = great_circle_setup(kind);
         ReadyPlanner ready(setup, joint_pos({600, 500, 300, -1, 0.6}));
@@ -165,7 +165,7 @@ TEST(Orientation, GoesWithArcsAsWell) {
     }
 }
 
-TEST(Orientation, OrientationSpeedCountsAlongTheGreatCircle) {
+TEST(Orientation, OrientationSpeedAppliesAlongGreatCircle) {
     ReadyPlanner ready(great_circle_setup(), joint_pos({500, 500, 300, -0.5, kPi / 2}));
     ready.planner.SelectMotionType(MotionType::linear);
     ready.planner.SetCartesianPositionSpeed(100);
@@ -193,7 +193,7 @@ TEST(Orientation, OrientationSpeedCountsAlongTheGreatCircle) {
 }
 
 // The nearer the circle comes to the pole, the slower: the turning joint needs 1 / sin(tilt) there.
-TEST(Orientation, NearThePoleTheMoveIsSlow) {
+TEST(Orientation, MovesSlowlyNearPole) {
     double before_s = 0;
     for (const double off : {0.3, 0.1, 0.01, 0.001}) {
         PlannerSetup setup = great_circle_setup();
@@ -210,7 +210,7 @@ TEST(Orientation, NearThePoleTheMoveIsSlow) {
     }
 }
 
-TEST(Orientation, RapidAndJointMotionGoByTheJointAngles) {
+TEST(Orientation, RapidAndJointMotionInterpolateJointAngles) {
     ReadyPlanner ready(great_circle_setup(), joint_pos({500, 500, 300, 0, 0}));
     const rrs::JointPos to = joint_pos({600, 500, 300, 1, 0.5});
     ASSERT_EQ(ready.to(to), Status::RRS_SUCCESS);
@@ -223,7 +223,7 @@ TEST(Orientation, RapidAndJointMotionGoByTheJointAngles) {
     EXPECT_FALSE(ready.last().orientation);
 }
 
-TEST(Orientation, TheTurningJointOfAnUprightToolIsFree) {
+TEST(Orientation, TurnJointIsFreeIfToolIsUpright) {
     ReadyPlanner ready(great_circle_setup(), joint_pos({500, 500, 300, 0, 0}));
     ready.planner.SelectMotionType(MotionType::linear);
     ready.planner.SetCartesianPositionSpeed(100);
@@ -233,7 +233,7 @@ TEST(Orientation, TheTurningJointOfAnUprightToolIsFree) {
     EXPECT_TRUE(ready.last().orientation);
 }
 
-TEST(Orientation, TurnsThatLeaveTheDirectionAreNoWay) {
+TEST(Orientation, RejectsFullTurnWithoutDirectionChange) {
     ReadyPlanner ready(great_circle_setup(), joint_pos({500, 500, 300, 0, 1e-5}));
     ready.planner.SelectMotionType(MotionType::linear);
     ready.planner.SetCartesianPositionSpeed(100);
@@ -242,7 +242,7 @@ TEST(Orientation, TurnsThatLeaveTheDirectionAreNoWay) {
     EXPECT_EQ(ready.to(joint_pos({500, 500, 300, 2 * kPi, 1e-5})), Status::RRS_NO_SOLUTION);
 }
 
-TEST(Orientation, TargetsWithoutAGreatCircleAreRefusedAndChangeNothing) {
+TEST(Orientation, RejectsTargetWithoutGreatCircle) {
     for (const PlannerKind kind : {PlannerKind::rest_to_rest, PlannerKind::look_ahead}) {
         const rrs::JointPos start = joint_pos({500, 500, 300, 0, kPi / 2});
         ReadyPlanner ready(great_circle_setup(kind), start);
@@ -257,7 +257,7 @@ TEST(Orientation, TargetsWithoutAGreatCircleAreRefusedAndChangeNothing) {
     }
 }
 
-TEST(Orientation, TheTiltKeepsItsRangeOnTheWay) {
+TEST(Orientation, RejectsPathOutsideTiltRange) {
     PlannerSetup setup = great_circle_setup();
     setup.joints[4].min = 0.3;
     ReadyPlanner ready(setup, joint_pos({500, 500, 300, -1, 0.4}));
@@ -271,7 +271,7 @@ TEST(Orientation, TheTiltKeepsItsRangeOnTheWay) {
     EXPECT_EQ(ready.last().joint_range(4).max, 0.4);
 }
 
-TEST(Orientation, AStoppedMotionStaysOnTheGreatCircleAndGoesOn) {
+TEST(Orientation, StoppedMotionStaysOnGreatCircleAndContinues) {
     const PlannerSetup setup = great_circle_setup(PlannerKind::look_ahead);
     const rrs::JointPos start = joint_pos({500, 500, 300, -1, 0.6});
     const rrs::JointPos end = joint_pos({900, 500, 200, 1, 0.9});
@@ -308,7 +308,7 @@ TEST(Orientation, AStoppedMotionStaysOnTheGreatCircleAndGoesOn) {
     EXPECT_EQ(stopped.collector.segments.back().end, end);
 }
 
-TEST(Orientation, ModesAreSelectedWhereTheMachineAndItsControllerHaveThem) {
+TEST(Orientation, RejectsModeUnsupportedByMachineOrController) {
     const auto expected_status = [](const PlannerSetup& setup) {
         DefaultPlanner planner(setup);
         planner.Initialize();
@@ -326,7 +326,7 @@ TEST(Orientation, ModesAreSelectedWhereTheMachineAndItsControllerHaveThem) {
     EXPECT_TRUE(setup.validate());
 }
 
-TEST(Orientation, SelectedModesHoldUntilTheyAreSelectedAnew) {
+TEST(Orientation, SelectedModeHoldsUntilNextSelection) {
     ReadyPlanner ready(gantry_setup(), joint_pos({500, 500, 300, 0, 0.5}));
     ready.planner.SelectMotionType(MotionType::linear);
     ready.planner.SetCartesianPositionSpeed(100);

@@ -103,12 +103,12 @@ double trapezoid_s(double length, double speed) {
     return length / speed + speed / kAcceleration;
 }
 
-class OverridesOf : public testing::TestWithParam<Planner> {
+class PlannerOverrides : public testing::TestWithParam<Planner> {
   protected:
     PlannerSetup setup() const { return make_setup(GetParam()); }
 };
 
-TEST_P(OverridesOf, AFeedTakesTheTimeOfTheTurnedSpeed) {
+TEST_P(PlannerOverrides, FeedTakesTimeOfOverriddenSpeed) {
     for (const double share : {0.1, 0.5, 0.8, 1.2, 2.0}) {
         Operated run(setup(), constant({.feed = share}));
         run.feed(100, 0, 10);
@@ -116,20 +116,20 @@ TEST_P(OverridesOf, AFeedTakesTheTimeOfTheTurnedSpeed) {
     }
 }
 
-TEST_P(OverridesOf, NoFeedPassesTheLimitsOfTheJoints) {
+TEST_P(PlannerOverrides, FeedNeverExceedsJointLimits) {
     Operated run(setup(), constant({.feed = 2}));
     run.feed(100, 0, 80);
     EXPECT_NEAR(run.end(), trapezoid_s(100, 100), 1e-9);
 }
 
-TEST_P(OverridesOf, ARapidTakesItsShareOfTheSpeedAndTheWholeAcceleration) {
+TEST_P(PlannerOverrides, RapidScalesSpeedButNotAcceleration) {
     Operated run(setup(), constant({.feed = 0.5, .rapid = 0.25}));
     run.rapid(100, 0);
     EXPECT_NEAR(run.end(), trapezoid_s(100, 25), 1e-9);
     EXPECT_EQ(run.segments().front().limited_by.kind, LimitKind::rapid_override);
 }
 
-TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
+TEST_P(PlannerOverrides, LockedMoveIgnoresOverrides) {
     Operated run(setup(), constant({.feed = 0.5, .rapid = 0.5, .spindle = 0.5}));
     run.set_enabled_overrides({.feed = false, .rapid = false});
     run.feed(100, 0, 10);
@@ -140,7 +140,7 @@ TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
     EXPECT_NEAR(run.end() - feed_s, trapezoid_s(100, 100), 1e-9);
 }
 
-TEST_P(OverridesOf, TheLockOfAMoveIsThatOfItsTarget) {
+TEST_P(PlannerOverrides, LockAppliesToItsTargetOnly) {
     Operated run(setup(), constant({.feed = 0.5}));
     run.set_enabled_overrides({.feed = false});
     run.feed(100, 0, 10);
@@ -156,7 +156,7 @@ TEST_P(OverridesOf, TheLockOfAMoveIsThatOfItsTarget) {
     EXPECT_NEAR(locked_s, 100 / 10.0, 0.03);
 }
 
-TEST_P(OverridesOf, WhatFollowsTheSpindleHasTheProductOfBoth) {
+TEST_P(PlannerOverrides, FeedAndSpindleOverridesMultiply) {
     Operated run(setup(), constant({.feed = 0.5, .spindle = 1.5}));
     run.set_enabled_overrides({.spindle = true});
     run.feed(100, 0, 10);
@@ -164,7 +164,7 @@ TEST_P(OverridesOf, WhatFollowsTheSpindleHasTheProductOfBoth) {
 }
 
 // The slowdown from 50 to 25 mm/s takes 0.025 s and 0.9375 mm.
-TEST_P(OverridesOf, AChangeActsOnTheMoveUnderWay) {
+TEST_P(PlannerOverrides, ChangeActsOnCurrentMove) {
     Operated slower(setup(), {{1, {.feed = 0.5}}});
     slower.feed(100, 0, 50);
     const double rest_mm = 100 - (50 - 1.25) - 0.9375 - 0.3125;
@@ -177,7 +177,7 @@ TEST_P(OverridesOf, AChangeActsOnTheMoveUnderWay) {
     EXPECT_NEAR(faster.end(), 1 + 0.05 + distance_mm / 100 + 0.1, 1.001e-3);
 }
 
-TEST_P(OverridesOf, AHoldBrakesAndWaits) {
+TEST_P(PlannerOverrides, FeedHoldBrakesAndWaits) {
     Operated run(setup(), {{1, {.feed = 0}}, {3, {.feed = 1}}});
     run.feed(100, 0, 50);
     const double rest_mm = 100 - (50 - 1.25) - 1.25;
@@ -189,19 +189,19 @@ TEST_P(OverridesOf, AHoldBrakesAndWaits) {
     EXPECT_NEAR(run.length_mm(), 100, 1e-9);
 }
 
-TEST_P(OverridesOf, AMoveThatBeginsInAHoldWaits) {
+TEST_P(PlannerOverrides, MoveWaitsIfStartedDuringHold) {
     Operated run(setup(), {{0, {.feed = 0}}, {2, {.feed = 0.5}}});
     run.feed(100, 0, 50);
     EXPECT_NEAR(run.end(), 2 + trapezoid_s(100, 25), 1.001e-3);
 }
 
-TEST_P(OverridesOf, ARapidUnderWayIsNoneOfTheFeedOverride) {
+TEST_P(PlannerOverrides, FeedOverrideDoesNotAffectRapid) {
     Operated run(setup(), {{0.3, {.feed = 0.5}}});
     run.rapid(100, 0);
     EXPECT_NEAR(run.end(), trapezoid_s(100, 100), 1e-9);
 }
 
-TEST_P(OverridesOf, AnArcIsCutOnItsCircle) {
+TEST_P(PlannerOverrides, ArcStaysOnCircle) {
     PlannerSetup slides = setup();
     slides.controller.ramps.centripetal_share = 0.5;
     Operated run(slides, {{1, {.feed = 0.5}}, {2, {.feed = 0.8}}});
@@ -253,7 +253,7 @@ std::vector<OverrideChange> random_changes(unsigned seed, bool with_hold) {
     return changes;
 }
 
-TEST_P(OverridesOf, NoChangeLeadsOffTheWayOrBeyondTheLimits) {
+TEST_P(PlannerOverrides, ChangesKeepPathAndLimits) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         Operated plain(setup());
         random_program(seed, plain);
@@ -282,7 +282,7 @@ TEST_P(OverridesOf, NoChangeLeadsOffTheWayOrBeyondTheLimits) {
     }
 }
 
-TEST_P(OverridesOf, ALowerOneIsNeverFaster) {
+TEST_P(PlannerOverrides, LowerOverrideIsNeverFaster) {
     for (unsigned seed = 0; seed < 30; ++seed) {
         double before_s = 0;
         for (const double share : {1.0, 0.7, 0.35, 0.2}) {
@@ -295,7 +295,7 @@ TEST_P(OverridesOf, ALowerOneIsNeverFaster) {
     }
 }
 
-TEST_P(OverridesOf, AllAtOneHundredPercentChangeNothing) {
+TEST_P(PlannerOverrides, OneHundredPercentChangesNothing) {
     for (unsigned seed = 0; seed < 10; ++seed) {
         Operated plain(setup()), turned(setup(), {{0.5, {}}, {1, {}}});
         random_program(seed, plain);
@@ -313,12 +313,12 @@ std::string planner_name(const testing::TestParamInfo<Planner>& tested) {
     return "linuxcnc";
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, OverridesOf,
+INSTANTIATE_TEST_SUITE_P(Planners, PlannerOverrides,
                          testing::Values(Planner::standstill, Planner::look_ahead, Planner::linuxcnc),
                          planner_name);
 
 // Corners that are rounded keep all limits of the joints, whatever the operator does before them.
-TEST(Overrides, RoundedCornersKeepTheLimits) {
+TEST(Overrides, RoundedCornersKeepLimits) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         PlannerSetup setup = make_setup(Planner::look_ahead);
         setup.controller.corners.continuous = setup.controller.corners.exact_path =
@@ -344,7 +344,7 @@ TEST(Overrides, RoundedCornersKeepTheLimits) {
 }
 
 // The operator changes the overrides of an S-curve at points without acceleration.
-TEST(Overrides, AnSCurveIsTurnedWithoutAJumpOfTheAcceleration) {
+TEST(Overrides, SCurveChangesWithoutAccelerationJump) {
     for (const Planner planner : {Planner::standstill, Planner::look_ahead}) {
         PlannerSetup setup = make_setup(planner);
         setup.controller.ramps.limit_jerk = true;
@@ -365,7 +365,7 @@ TEST(Overrides, AnSCurveIsTurnedWithoutAJumpOfTheAcceleration) {
     }
 }
 
-TEST(Overrides, JointMotionAndAProgrammedTimeObeyFromTheirBeginning) {
+TEST(Overrides, ScaleJointMotionAndMotionTime) {
     Operated run(make_setup(Planner::standstill), constant({.feed = 0.5}));
     run.planner().SelectMotionType(rrs::MotionType::joint);
     run.planner().SetNextTarget(1, rrs::TargetParam::end, rrs::CartPos::Identity(), joint_pos({100, 0, 0}),
@@ -382,7 +382,7 @@ TEST(Overrides, JointMotionAndAProgrammedTimeObeyFromTheirBeginning) {
     EXPECT_NEAR(run.end() - start_s, 8, 1e-9);
 }
 
-TEST(Overrides, ThoseOfTheServicesAndTheOperatorMultiply) {
+TEST(Overrides, ServiceAndOperatorOverridesMultiply) {
     Operated run(make_setup(Planner::standstill), constant({.feed = 0.5}));
     run.planner().SetOverrideSpeed(50);
     run.feed(100, 0, 40);

@@ -49,7 +49,7 @@ class QueueServices : public AnyPlanner {
 
 INSTANTIATE_TEST_SUITE_P(Ways, QueueServices, all_ways(), way_name);
 
-TEST(PlannerQueue, SegmentsLeaveInOrderEachOnceAndJoinWithoutGaps) {
+TEST(PlannerQueue, EmitsSegmentsOnceInOrderWithoutGaps) {
     ReadyPlanner at(gantry_setup(), kStart);
     put_program(at.planner);
     EXPECT_TRUE(at.collector.segments.empty());
@@ -75,7 +75,7 @@ TEST(PlannerQueue, SegmentsLeaveInOrderEachOnceAndJoinWithoutGaps) {
     EXPECT_EQ(at.planner.timeline().step_time_s(), clock);
 }
 
-TEST_P(QueueServices, StepsAreSamplesOfTheSegments) {
+TEST_P(QueueServices, StepsAreSamplesOfSegments) {
     ReadyPlanner flushed(gantry_setup(), kStart);
     put_program(flushed.planner);
     flushed.planner.flush();
@@ -119,7 +119,7 @@ rrs::TargetId current_target(rrs::Shell& planner) {
     return id;
 }
 
-TEST_P(QueueServices, CurrentTargetIsTheOneAhead) {
+TEST_P(QueueServices, CurrentTargetIsNextToReach) {
     ReadyPlanner flushed(gantry_setup(), kStart);
     put_program(flushed.planner);
     flushed.planner.flush();
@@ -147,7 +147,7 @@ TEST_P(QueueServices, CurrentTargetIsTheOneAhead) {
     EXPECT_EQ(last, 7) << "which is where the motion came from";
 }
 
-TEST_P(QueueServices, CurrentTargetOfAStepThatEndsInATargetIsTheNextOne) {
+TEST_P(QueueServices, CurrentTargetAfterReachingTargetIsNextOne) {
     const auto planner = ready(gantry_setup());
     planner->SetNextRest(1, 0.02);
     planner->SetNextRest(2, 0.02);
@@ -162,7 +162,7 @@ TEST_P(QueueServices, CurrentTargetOfAStepThatEndsInATargetIsTheNextOne) {
     EXPECT_EQ(current_target(*planner), 2);
 }
 
-TEST_P(QueueServices, CurrentTargetOfAStoppedMotionIsItsOwnUntilItIsCancelled) {
+TEST_P(QueueServices, CurrentTargetOfStoppedMotionRemainsUntilCancel) {
     const auto planner = ready(gantry_setup());
     planner->SelectMotionType(rrs::MotionType::linear);
     planner->SetCartesianPositionSpeed(80);
@@ -181,7 +181,7 @@ TEST_P(QueueServices, CurrentTargetOfAStoppedMotionIsItsOwnUntilItIsCancelled) {
     EXPECT_EQ(current_target(*planner), -1);
 }
 
-TEST_P(QueueServices, CurrentTargetIsKnownBeforeItsMotionIsPlanned) {
+TEST_P(QueueServices, CurrentTargetIsKnownBeforePlanning) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
     const auto planner = ready(setup);
@@ -194,7 +194,7 @@ TEST_P(QueueServices, CurrentTargetIsKnownBeforeItsMotionIsPlanned) {
     EXPECT_EQ(current_target(*planner), -1);
 }
 
-TEST(PlannerQueue, SegmentsLeaveAsStepsPassThem) {
+TEST(PlannerQueue, EmitsSegmentsAsStepsPassThem) {
     ReadyPlanner at(gantry_setup(), kStart);
     put_program(at.planner);
     at.planner.SetInterpolationTime(0.0137);
@@ -215,7 +215,7 @@ TEST(PlannerQueue, SegmentsLeaveAsStepsPassThem) {
     EXPECT_EQ(ids(at.collector.segments), (std::vector<rrs::TargetId>{1, 2, 3, 4, 5, 6, 6, 7}));
 }
 
-TEST_P(QueueServices, LastStepIsAsLongAsWhatRemains) {
+TEST_P(QueueServices, LastStepTakesRemainingTime) {
     const auto planner = ready(gantry_setup());
     planner->SetNextRest(1, 0.025);
     rrs::JointPos joints;
@@ -229,7 +229,7 @@ TEST_P(QueueServices, LastStepIsAsLongAsWhatRemains) {
     EXPECT_EQ(planner->GetNextStep(joints, pose, elapsed), Status::RRS_NEED_MORE_DATA);
 }
 
-TEST(PlannerQueue, OldestSegmentsLeaveByThemselvesWhenTheQueueIsFull) {
+TEST(PlannerQueue, EmitsOldestSegmentIfQueueIsFull) {
     PlannerSetup setup = gantry_setup();
     setup.queue_capacity = 4;
     ReadyPlanner at(setup, kStart);
@@ -243,7 +243,7 @@ TEST(PlannerQueue, OldestSegmentsLeaveByThemselvesWhenTheQueueIsFull) {
         ASSERT_EQ(at.collector.segments[static_cast<std::size_t>(i)].target_id, i + 1);
 }
 
-TEST_P(QueueServices, WithoutASinkAFullQueueAsksForSteps) {
+TEST_P(QueueServices, FullQueueWithoutSinkRejectsTargets) {
     PlannerSetup setup = gantry_setup();
     setup.queue_capacity = 2;
     const auto planner = ready(setup);
@@ -263,7 +263,7 @@ TEST_P(QueueServices, WithoutASinkAFullQueueAsksForSteps) {
     EXPECT_DOUBLE_EQ(step_to_end(*planner, 1).time_s, 2);
 }
 
-TEST_P(QueueServices, NewInitialPositionLeavesNothingQueued) {
+TEST_P(QueueServices, NewInitialPositionClearsQueue) {
     const auto planner = ready(gantry_setup());
     enqueue(*planner, joint_pos({600, 500, 300, 0, 0}));
     const rrs::JointPos corner = joint_pos({0, 0, 0, 0, 0});
@@ -273,7 +273,7 @@ TEST_P(QueueServices, NewInitialPositionLeavesNothingQueued) {
     EXPECT_EQ(stepped.joints, corner);
 }
 
-TEST(PlannerQueue, NewInitialPositionFinishesWhatIsQueued) {
+TEST(PlannerQueue, NewInitialPositionEmitsQueuedSegments) {
     ReadyPlanner at(gantry_setup(), kStart);
     at.to(joint_pos({600, 500, 300, 0, 0}));
     const double end_s = at.planner.time_s();
@@ -285,7 +285,7 @@ TEST(PlannerQueue, NewInitialPositionFinishesWhatIsQueued) {
     EXPECT_EQ(at.last().start_s, end_s);
 }
 
-TEST(PlannerQueue, SegmentLeavesOnceEvenIfTheSinkThrows) {
+TEST(PlannerQueue, EmitsSegmentOnceIfSinkThrows) {
     class Thrower : public SegmentSink {
       public:
         void on_segment(const Segment&) override {
@@ -306,7 +306,7 @@ TEST(PlannerQueue, SegmentLeavesOnceEvenIfTheSinkThrows) {
 
 /// Dwells, joint motions and new starts of a controller that counts steps begin at the end of the last line:
 /// on the grid of the steps, off the programmed position.
-TEST(PlannerQueue, WhatFollowsALineOnTheGridStartsThere) {
+TEST(PlannerQueue, MoveStartsAtRoundedEndOfPreviousLine) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
     setup.controller.corners.continuous = rrs::CornerRule::junction_deviation;
@@ -335,7 +335,7 @@ TEST(PlannerQueue, WhatFollowsALineOnTheGridStartsThere) {
 }
 
 /// 508 mm/s are the speed of the axis, 254 mm/s that of the path.
-TEST(PlannerQueue, ModelsTellOfTimesThatTheMachineCannotKeep) {
+TEST(PlannerQueue, ReportsTooShortMotionTimes) {
     for (const auto kind :
          {rrs::PlannerKind::look_ahead, rrs::PlannerKind::linuxcnc, rrs::PlannerKind::klipper}) {
         PlannerSetup setup = gantry_setup();

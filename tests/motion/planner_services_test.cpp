@@ -29,7 +29,7 @@ class PlannerServices : public AnyPlanner {
 
 INSTANTIATE_TEST_SUITE_P(Ways, PlannerServices, all_ways(), way_name);
 
-TEST_P(PlannerServices, WhatIsNotOfferedSaysSoByName) {
+TEST_P(PlannerServices, ReportUnsupportedServiceByName) {
     CartPos pose = CartPos::Identity();
     const std::vector<std::pair<const char*, Status>> statuses{
         {"GetCellFrame", planner.GetCellFrame("BASE", pose)},
@@ -42,7 +42,7 @@ TEST_P(PlannerServices, WhatIsNotOfferedSaysSoByName) {
                 testing::ContainsRegex("does not (offer|support) the service SelectTrajectoryMode\\."));
 }
 
-TEST_P(PlannerServices, NothingWorksBeforeInitializeAndAfterTerminate) {
+TEST_P(PlannerServices, RejectCallsBeforeInitializeAndAfterTerminate) {
     const auto fresh = make(gantry_setup());
     const auto status = [&] {
         return fresh->SetNextTarget(1, rrs::TargetParam::end, CartPos::Identity(), kStart, "", 0);
@@ -61,7 +61,7 @@ TEST_P(PlannerServices, NothingWorksBeforeInitializeAndAfterTerminate) {
     EXPECT_EQ(status(), Status::RRS_NOT_INITIALIZED);
 }
 
-TEST_P(PlannerServices, ResetGoesBackToTheStart) {
+TEST_P(PlannerServices, ResetRestoresInitialState) {
     const rrs::JointPos target = joint_pos({600, 500, 300, 0, 0});
     to(target);
     const double time_s = step_to_end(planner, 0.01).time_s;
@@ -75,7 +75,7 @@ TEST_P(PlannerServices, ResetGoesBackToTheStart) {
     EXPECT_NEAR(step_to_end(planner, 0.01).time_s, time_s, 1e-12);
 }
 
-TEST_P(PlannerServices, TargetOutOfRangeNamesJointValueAndLimitAndChangesNothing) {
+TEST_P(PlannerServices, ReportJointValueAndLimitOfTargetOutOfRange) {
     EXPECT_EQ(to(joint_pos({500, 500, 650, 0, 0})), Status::RRS_JOINT_LIMIT);
     EXPECT_EQ(message(planner),
               "Joint 2 (counted from 0) would be at 650 mm at the target; its range ends at 609.6 mm.");
@@ -88,7 +88,7 @@ TEST_P(PlannerServices, TargetOutOfRangeNamesJointValueAndLimitAndChangesNothing
 }
 
 // In process alone: the services return the message, not its numbers.
-TEST(PlannerErrors, NumbersOfARefusalStandBesideItsSentence) {
+TEST(PlannerErrors, ContainJointValueAndLimit) {
     ReadyPlanner at(gantry_setup(), kStart);
     at.to(joint_pos({500, 500, 650, 0, 0}));
     EXPECT_EQ(at.planner.last_error().joint, 2);
@@ -98,12 +98,12 @@ TEST(PlannerErrors, NumbersOfARefusalStandBesideItsSentence) {
     EXPECT_EQ(at.planner.time_s(), 0);
 }
 
-TEST_P(PlannerServices, EndOfTheRangeMayBeReachedWithinRounding) {
+TEST_P(PlannerServices, AcceptRangeEndWithinRounding) {
     EXPECT_EQ(to(joint_pos({0, 500, 609.6 + 1e-12, 0, kPi / 2})), Status::RRS_SUCCESS);
     EXPECT_EQ(to(joint_pos({-1e-8, 500, 0, 0, 0})), Status::RRS_JOINT_LIMIT);
 }
 
-TEST_P(PlannerServices, NamedTargetPutsItsNameBeforeTheMessage) {
+TEST_P(PlannerServices, MessageContainsTargetName) {
     const auto status = planner.SetNextNamedTarget(7, rrs::TargetParam::end, CartPos::Identity(),
                                                    joint_pos({500, 500, 650, 0, 0}), "", 0, "CORNER");
     EXPECT_EQ(status, Status::RRS_JOINT_LIMIT);
@@ -116,7 +116,7 @@ TEST_P(PlannerServices, NamedTargetPutsItsNameBeforeTheMessage) {
     EXPECT_EQ(reached, 8);
 }
 
-TEST_P(PlannerServices, ValuesOutOfRangeAreRefused) {
+TEST_P(PlannerServices, RejectValuesOutOfRange) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double bad : {0.0, -1.0, nan, -infinity}) {
@@ -141,7 +141,7 @@ TEST_P(PlannerServices, ValuesOutOfRangeAreRefused) {
     EXPECT_EQ(planner.SetCartesianPositionSpeed(infinity), Status::RRS_SUCCESS);
 }
 
-TEST_P(PlannerServices, JointValuesAreCheckedAsAWhole) {
+TEST_P(PlannerServices, RejectAllJointValuesIfOneIsInvalid) {
     EXPECT_EQ(planner.SetJointSpeeds(std::vector{5}, std::vector{1.0}), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(message(planner), "Joint 5 does not exist; joints are 0 to 4.");
     EXPECT_EQ(planner.SetJointSpeeds(std::vector{-1}, std::vector{1.0}), Status::RRS_INVALID_PARAMETER);
@@ -154,7 +154,7 @@ TEST_P(PlannerServices, JointValuesAreCheckedAsAWhole) {
     EXPECT_LT(step_to_end(planner, 0.01).time_s, 10);
 }
 
-TEST_P(PlannerServices, SelectionsOutOfTheirListsAreRefused) {
+TEST_P(PlannerServices, RejectUnknownSelections) {
     EXPECT_EQ(planner.SelectMotionType(static_cast<rrs::MotionType>(3)), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.SelectTargetType(static_cast<rrs::TargetType>(9)), Status::RRS_INVALID_PARAMETER);
     for (const int number : {-1, 3}) {
@@ -170,7 +170,7 @@ TEST_P(PlannerServices, SelectionsOutOfTheirListsAreRefused) {
     EXPECT_EQ(planner.SelectFlybyMode(true), Status::RRS_MODE_NOT_SUPPORTED);
 }
 
-TEST_P(PlannerServices, MachineWithoutPositionJointsHasJointMotionAlone) {
+TEST_P(PlannerServices, MachineWithoutPositionJointsHasOnlyJointMotion) {
     PlannerSetup setup = gantry_setup();
     setup.position_joints = {-1, -1, -1};
     const auto robot = make(setup);

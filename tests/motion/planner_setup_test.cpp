@@ -25,7 +25,7 @@ TEST(PlannerSetup, GantryIsValid) {
     EXPECT_EQ(gantry_setup().role(4), JointRole::rotary);
 }
 
-TEST(PlannerSetup, SentenceNamesFieldAndValue) {
+TEST(PlannerSetup, ErrorNamesFieldAndValue) {
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.joints[2].min = 700; }),
               "The range of joint 2 is from 700 to 609.6; min must not be above max.");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.joints[1].max_speed = 0; }),
@@ -72,7 +72,7 @@ TEST(PlannerSetup, SentenceNamesFieldAndValue) {
               "queue_capacity is 1; it must be at least 2.");
 }
 
-TEST(PlannerSetup, PlannerThrowsTheSentence) {
+TEST(PlannerSetup, PlannerThrowsErrorMessage) {
     PlannerSetup setup = gantry_setup();
     setup.kinematics.reset();
     try {

@@ -63,7 +63,7 @@ double integrated_length(double from, const RampPhases& ramp) {
     return s;
 }
 
-TEST(Ramp, WithoutJerkLimitIsAConstantAcceleration) {
+TEST(Ramp, HasConstantAccelerationWithoutJerkLimit) {
     EXPECT_DOUBLE_EQ(ramp_s(10, 30, 10, kInfinity), 2);
     EXPECT_DOUBLE_EQ(ramp_length(10, 30, 10, kInfinity), 40);
     EXPECT_DOUBLE_EQ(ramp_length(30, 10, 10, kInfinity), 40);
@@ -71,7 +71,7 @@ TEST(Ramp, WithoutJerkLimitIsAConstantAcceleration) {
     EXPECT_DOUBLE_EQ(reachable_speed(40, 10, 10, kInfinity), 30);
 }
 
-TEST(Ramp, ShortOneDoesNotReachTheAcceleration) {
+TEST(Ramp, ShortRampDoesNotReachAccelerationLimit) {
     // 1 s at +8 mm/s3 and 1 s at -8: 8 mm/s faster, at most 8 mm/s2.
     EXPECT_DOUBLE_EQ(ramp_s(2, 10, 1000, 8), 2);
     EXPECT_DOUBLE_EQ(ramp_length(2, 10, 1000, 8), 12);
@@ -79,7 +79,7 @@ TEST(Ramp, ShortOneDoesNotReachTheAcceleration) {
     EXPECT_DOUBLE_EQ(ramp_end_speed(12, 2, 1000, 8), 10);
 }
 
-TEST(Ramp, LongOneHoldsTheAcceleration) {
+TEST(Ramp, LongRampHoldsAccelerationLimit) {
     // 1 s up to 8 mm/s2, 2 s at 8 mm/s2, 1 s down: 24 mm/s faster in 4 s.
     const RampPhases ramp = ramp_phases(24, 8, 8);
     EXPECT_DOUBLE_EQ(ramp.jerk_s, 1);
@@ -88,7 +88,7 @@ TEST(Ramp, LongOneHoldsTheAcceleration) {
     EXPECT_DOUBLE_EQ(ramp_end_speed(48, 0, 8, 8), 24);
 }
 
-TEST(Ramp, InfiniteLimitsDropOut) {
+TEST(Ramp, IgnoresInfiniteLimits) {
     EXPECT_EQ(ramp_s(1, 9, kInfinity, kInfinity), 0);
     EXPECT_EQ(ramp_length(1, 9, kInfinity, kInfinity), 0);
     EXPECT_EQ(ramp_end_speed(1, 9, kInfinity, kInfinity), kInfinity);
@@ -97,7 +97,7 @@ TEST(Ramp, InfiniteLimitsDropOut) {
     EXPECT_DOUBLE_EQ(ramp_end_speed(12, 2, kInfinity, 8), 10);
 }
 
-TEST(Ramp, NoLengthChangesNoSpeed) {
+TEST(Ramp, ZeroLengthKeepsSpeed) {
     EXPECT_EQ(ramp_s(7, 7, 10, 10), 0);
     EXPECT_EQ(ramp_length(7, 7, 10, 10), 0);
     for (const double jerk : {10.0, kInfinity}) {
@@ -107,7 +107,7 @@ TEST(Ramp, NoLengthChangesNoSpeed) {
     }
 }
 
-TEST(Ramp, PhasesKeepTheLimitsAndMakeUpTheChangeAndTheLength) {
+TEST(Ramp, PhasesKeepLimitsAndSumToChangeAndLength) {
     Cases cases(31);
     for (int i = 0; i < 2000; ++i) {
         const Case c = cases.next();
@@ -124,7 +124,7 @@ TEST(Ramp, PhasesKeepTheLimitsAndMakeUpTheChangeAndTheLength) {
     }
 }
 
-TEST(Ramp, EndSpeedIsTheInverseOfTheLength) {
+TEST(Ramp, EndSpeedIsInverseOfLength) {
     Cases cases(32);
     for (int i = 0; i < 100'000; ++i) {
         Case c = cases.next();
@@ -138,7 +138,7 @@ TEST(Ramp, EndSpeedIsTheInverseOfTheLength) {
     }
 }
 
-TEST(Ramp, ToAReachableSpeedFitsIntoTheLengthEvenWhereItsGainDrownsInRounding) {
+TEST(Ramp, RampToReachableSpeedFitsLengthDespiteRounding) {
     Cases cases(33);
     for (int i = 0; i < 100'000; ++i) {
         const Case c = cases.next();
@@ -168,7 +168,7 @@ TEST(Ramp, ReachableSpeedIsMonotoneInLengthAndStart) {
 }
 
 // The trap that reachable_speed() is there for.
-TEST(Ramp, EndSpeedMayFallWithTheStart) {
+TEST(Ramp, EndSpeedMayFallAsStartSpeedRises) {
     EXPECT_LT(ramp_end_speed(1, 0.2, kInfinity, 1), ramp_end_speed(1, 0, kInfinity, 1));
     EXPECT_GE(reachable_speed(1, 0.2, kInfinity, 1), reachable_speed(1, 0, kInfinity, 1));
     // A start that is planned from standstill and then raised: the ramp would not fit any more.
@@ -176,7 +176,7 @@ TEST(Ramp, EndSpeedMayFallWithTheStart) {
     EXPECT_LE(ramp_length(reachable_speed(1, 0, kInfinity, 1), 0.2, kInfinity, 1), 1);
 }
 
-TEST(Ramp, ReachableSpeedIsTheLeastEndOfAllHigherStarts) {
+TEST(Ramp, ReachableSpeedIsMinEndSpeedOfHigherStarts) {
     Cases cases(35);
     for (int i = 0; i < 1000; ++i) {
         const Case c = cases.next();

@@ -162,7 +162,7 @@ void expect_straight(const Segment& segment, const PlannerSetup& setup) {
     }
 }
 
-TEST_F(RandomMoves, LinesKeepAllLimitsAndTakeTheTimeOfTheSlowestRule) {
+TEST_F(RandomMoves, LinesKeepLimitsAndTakeTimeOfSlowestRule) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         PlannerSetup setup = odd_setup(random);
@@ -190,7 +190,7 @@ TEST_F(RandomMoves, LinesKeepAllLimitsAndTakeTheTimeOfTheSlowestRule) {
     }
 }
 
-TEST_F(RandomMoves, JointMovesKeepAllLimitsWithOneJointAtALimit) {
+TEST_F(RandomMoves, JointMovesKeepLimitsWithOneJointAtLimit) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         const PlannerSetup setup = odd_setup(random);
@@ -214,7 +214,7 @@ TEST_F(RandomMoves, JointMovesKeepAllLimitsWithOneJointAtALimit) {
     }
 }
 
-TEST_F(RandomMoves, ArcsAndHelicesKeepTheirLimitsAndTheirCircle) {
+TEST_F(RandomMoves, ArcsAndHelicesKeepLimitsAndCircle) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         const PlannerSetup setup = odd_setup(random);

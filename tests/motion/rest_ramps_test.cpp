@@ -27,7 +27,7 @@ double time_to(ReadyPlanner& ready, double x_mm) {
     return ready.planner.time_s() - before_s;
 }
 
-TEST(RestRamps, KeepEveryLimitInAnyMove) {
+TEST(RestToRestRamps, KeepLimitsInRandomMoves) {
     std::mt19937 random(11);
     for (int round = 0; round < 150; ++round) {
         PlannerSetup setup = odd_setup(random);
@@ -51,7 +51,7 @@ TEST(RestRamps, KeepEveryLimitInAnyMove) {
     }
 }
 
-TEST(RestRamps, TakeTheLeastTime) {
+TEST(RestToRestRamps, TakeMinimumTime) {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> log_scale(-2, 2);
     for (int round = 0; round < 300; ++round) {
@@ -66,7 +66,7 @@ TEST(RestRamps, TakeTheLeastTime) {
     }
 }
 
-TEST(RestRamps, StretchedToATime) {
+TEST(RestToRestRamps, KeepLimitsIfStretchedToDuration) {
     std::mt19937 random(13);
     std::uniform_real_distribution<double> log_scale(-2, 2);
     for (int round = 0; round < 2000; ++round) {
@@ -85,7 +85,7 @@ TEST(RestRamps, StretchedToATime) {
     }
 }
 
-TEST(RestRamps, InfiniteOnesJump) {
+TEST(RestToRestRamps, InfiniteRampsJump) {
     ReadyPlanner ready(three_slide_machine(), joint_pos({0, 0, 0}));
     ready.planner.SetRampMode(RampMode::infinite);
     EXPECT_NEAR(time_to(ready, 50), 0.5, 1e-12);
@@ -95,7 +95,7 @@ TEST(RestRamps, InfiniteOnesJump) {
 class RampServices : public AnyPlanner {};
 INSTANTIATE_TEST_SUITE_P(Ways, RampServices, all_ways(), way_name);
 
-TEST_P(RampServices, ProgrammedJerksAreOfJointMotionAlone) {
+TEST_P(RampServices, ProgrammedJerksApplyToJointMotionOnly) {
     ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     const double straight_s = ready.time_to(joint_pos({50, 0, 0}));
     const double jerk = 5000;
@@ -113,7 +113,7 @@ TEST_P(RampServices, ProgrammedJerksAreOfJointMotionAlone) {
     EXPECT_EQ(ready.planner.SetJointJerks({}, std::vector<double>(3, 0.0)), Status::RRS_INVALID_PARAMETER);
 }
 
-TEST_P(RampServices, ModesOfTheProgram) {
+TEST_P(RampServices, ProgrammedRampModesChangeDuration) {
     PlannerSetup setup = three_slide_machine();
     for (JointSetup& joint : setup.joints) joint.max_jerk = 20000;
     ReadyShell ready(make(setup), joint_pos({0, 0, 0}));
@@ -132,7 +132,7 @@ TEST_P(RampServices, ModesOfTheProgram) {
     EXPECT_EQ(ready.time_to(joint_pos({50, 0, 0})), machine_s) << "a new session has the machine's ramps";
 }
 
-TEST_P(RampServices, LimitsOfTheProgramLowerThoseOfTheMachine) {
+TEST_P(RampServices, ProgrammedLimitsCanOnlyLowerMachineLimits) {
     ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     const int x = 0;
     const double slow = 200;

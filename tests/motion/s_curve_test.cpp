@@ -66,7 +66,7 @@ bool jumps(const LawLimits& limits) {
     return std::isinf(limits.jerk) && (std::isinf(limits.acceleration) || std::isinf(limits.deceleration));
 }
 
-TEST(SCurve, SevenPiecesByHand) {
+TEST(SCurve, SevenSectionsMatchHandCalculation) {
     // 1 s each: up to 8 mm/s2 and down again, with 2 s between, twice; cruise at 24 mm/s for 3 s.
     const TimeLaw law = TimeLaw::between(168, 0, 0, {24, 8, 8, 8});
     EXPECT_EQ(law.sections().size(), 7U);
@@ -80,7 +80,7 @@ TEST(SCurve, SevenPiecesByHand) {
     EXPECT_DOUBLE_EQ(law.at(9).a, -8);
 }
 
-TEST(SCurve, FourPiecesByHand) {
+TEST(SCurve, FourSectionsMatchHandCalculation) {
     // Four phases of 1 s at 6 mm/s3: 1 + 5 + 5 + 1 mm.
     const TimeLaw law = TimeLaw::between(12, 0, 0, {1000, 1000, 1000, 6});
     EXPECT_DOUBLE_EQ(law.duration_s(), 4);
@@ -89,7 +89,7 @@ TEST(SCurve, FourPiecesByHand) {
     EXPECT_DOUBLE_EQ(law.at(2).s, 6);
 }
 
-TEST(SCurve, RestToRestTakesTheLeastTimeInClosedForm) {
+TEST(SCurve, RestToRestTakesMinimumTimeOfClosedForm) {
     LawCases cases(41);
     for (int i = 0; i < 100'000; ++i) {
         const LawCase c = cases.rest_to_rest();
@@ -101,7 +101,7 @@ TEST(SCurve, RestToRestTakesTheLeastTimeInClosedForm) {
     }
 }
 
-TEST(SCurve, EqualLimitsWithoutJerkAreTheTrapezoid) {
+TEST(SCurve, EqualLimitsWithoutJerkGiveTrapezoid) {
     LawCases cases(42);
     for (int i = 0; i < 10'000; ++i) {
         LawCase c = cases.rest_to_rest();
@@ -112,7 +112,7 @@ TEST(SCurve, EqualLimitsWithoutJerkAreTheTrapezoid) {
     }
 }
 
-TEST(SCurve, MovingEndsKeepLimitsAndJoin) {
+TEST(SCurve, NonzeroEndSpeedsKeepLimitsAndJoin) {
     LawCases cases(43);
     for (int i = 0; i < 50'000; ++i) {
         const LawCase c = cases.moving();
@@ -125,7 +125,7 @@ TEST(SCurve, MovingEndsKeepLimitsAndJoin) {
     }
 }
 
-TEST(SCurve, MovingEndsTakeTheLeastTimeAndThePeakConverges) {
+TEST(SCurve, NonzeroEndSpeedsTakeMinimumTimeAndPeakConverges) {
     LawCases cases(44);
     for (int i = 0; i < 10'000; ++i) {
         const LawCase c = cases.moving();
@@ -138,7 +138,7 @@ TEST(SCurve, MovingEndsTakeTheLeastTimeAndThePeakConverges) {
     }
 }
 
-TEST(SCurve, AHigherPeakWouldOvershoot) {
+TEST(SCurve, HigherPeakSpeedWouldOvershoot) {
     LawCases cases(45);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = i % 2 == 0 ? cases.moving() : cases.rest_to_rest();
@@ -187,7 +187,7 @@ TEST(SCurve, HigherLimitsNeverCostTime) {
     }
 }
 
-TEST(SCurve, PositionsAndSpeedsAreTheIntegralsOfTheJerk) {
+TEST(SCurve, PositionsAndSpeedsAreIntegralsOfJerk) {
     LawCases cases(48);
     for (int i = 0; i < 3000; ++i) {
         LawCase c = cases.moving();
@@ -220,7 +220,7 @@ TEST(SCurve, PositionsAndSpeedsAreTheIntegralsOfTheJerk) {
     }
 }
 
-TEST(SCurve, ReversedInTimeIsTheLawOfExchangedEnds) {
+TEST(SCurve, TimeReversalEqualsLawWithSwappedEnds) {
     LawCases cases(49);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = cases.moving();
@@ -241,7 +241,7 @@ TEST(SCurve, ReversedInTimeIsTheLawOfExchangedEnds) {
     }
 }
 
-TEST(SCurve, JustTheLengthOfARampIsThatRamp) {
+TEST(SCurve, RampLengthGivesSingleRamp) {
     LawCases cases(50);
     for (int i = 0; i < 50'000; ++i) {
         LawCase c = cases.moving();
@@ -256,7 +256,7 @@ TEST(SCurve, JustTheLengthOfARampIsThatRamp) {
     }
 }
 
-TEST(SCurve, AbsorbsAShortfallOfRounding) {
+TEST(SCurve, AbsorbsShortfallWithinRounding) {
     LawCases cases(51);
     for (int i = 0; i < 50'000; ++i) {
         LawCase c = cases.chance(0.3) ? cases.too_fast() : cases.moving();
@@ -270,7 +270,7 @@ TEST(SCurve, AbsorbsAShortfallOfRounding) {
     }
 }
 
-TEST(SCurve, AGrossShortfallStillJoins) {
+TEST(SCurve, LargeShortfallStillJoins) {
     LawCases cases(52);
     for (int i = 0; i < 10'000; ++i) {
         LawCase c = cases.chance(0.3) ? cases.too_fast() : cases.moving();
@@ -282,7 +282,7 @@ TEST(SCurve, AGrossShortfallStillJoins) {
     }
 }
 
-TEST(SCurve, BrakesFirstWhereTheStartIsTooFast) {
+TEST(SCurve, BrakesFirstIfStartIsTooFast) {
     LawCases cases(53);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = cases.too_fast();
@@ -307,7 +307,7 @@ TEST(SCurve, BrakesFirstWhereTheStartIsTooFast) {
     }
 }
 
-TEST(SCurve, TinyLengthsAtHighSpeedsKeepTheirLimits) {
+TEST(SCurve, TinyLengthsAtHighSpeedKeepLimits) {
     LawCases cases(54);
     for (int i = 0; i < 50'000; ++i) {
         LawCase c = cases.rest_to_rest();
@@ -321,7 +321,7 @@ TEST(SCurve, TinyLengthsAtHighSpeedsKeepTheirLimits) {
     }
 }
 
-TEST(SCurve, NothingToDoTakesNoTime) {
+TEST(SCurve, ZeroLengthTakesNoTime) {
     const TimeLaw law = TimeLaw::between(0, 5, 7, {10, 10, 10, 10});
     EXPECT_EQ(law.duration_s(), 0);
     EXPECT_EQ(law.start_speed(), 5);

@@ -51,7 +51,7 @@ class ServicesList : public AnyPlanner {};
 
 INSTANTIATE_TEST_SUITE_P(Ways, ServicesList, all_ways(), way_name);
 
-TEST_P(ServicesList, AnswersOfThePlannerAreInIt) {
+TEST_P(ServicesList, ContainsAllResponsesOfPlanner) {
     const std::vector<Call> calls = all_calls();
     rrs::ServiceValues values(11);
     std::mt19937 random(12);
@@ -72,7 +72,7 @@ TEST_P(ServicesList, AnswersOfThePlannerAreInIt) {
     EXPECT_GT(rejected, 1000U);
 }
 
-TEST_P(ServicesList, ExtensionsReachThePlannerBothWays) {
+TEST_P(ServicesList, ExtensionsReachPlanner) {
     const auto planner = make(gantry_setup());
     planner->Initialize();
     const rrs::CartPos pose = rrs::CartPos::Identity();

@@ -62,7 +62,7 @@ ExecutedBlock drive(const Asked& requested) {
     return drive(make_block(requested), ramps);
 }
 
-TEST(SteppedRamps, MeanAccelerationIsThatOfAnSCurveFromRest) {
+TEST(SteppedRamps, MeanAccelerationEqualsSCurveFromStandstill) {
     // Standstill to v takes v/a + a/J if that reaches a, else 2 sqrt(v/J).
     EXPECT_NEAR(SteppedRamps::mean_acceleration_s(100, 1000, 10'000), 100 / (0.1 + 0.1), 1e-3);
     EXPECT_NEAR(SteppedRamps::mean_acceleration_s(500, 1000, 10'000), 500 / (0.5 + 0.1), 1e-3);
@@ -71,7 +71,7 @@ TEST(SteppedRamps, MeanAccelerationIsThatOfAnSCurveFromRest) {
 }
 
 // Lines from standstill to standstill as grblHAL was measured, most of them crawling at their end.
-TEST(SteppedRamps, TakeTheTimesOfGrblHal) {
+TEST(SteppedRamps, TakeMeasuredTimesOfGrblHal) {
     EXPECT_NEAR(drive({.length_mm = 50}).time_s, 7.069, 0.002);
     EXPECT_NEAR(drive({.length_mm = 10}).time_s, 0.2493, 0.0002);
     EXPECT_NEAR(drive({.length_mm = 50, .jerk_mm_s3 = 2000}).time_s, 49.51, 0.02);
@@ -79,7 +79,7 @@ TEST(SteppedRamps, TakeTheTimesOfGrblHal) {
     EXPECT_NEAR(drive({.length_mm = 50, .speed_mm_s = 25}).time_s, 2.1877, 0.0002);
 }
 
-TEST(SteppedRamps, TellHowLongTheyCrawl) {
+TEST(SteppedRamps, ReportCrawlTime) {
     const ExecutedBlock creeps = drive({.length_mm = 50});
     EXPECT_GT(creeps.crawled_s, 5.5);
     EXPECT_LT(creeps.crawled_s, 6.5);
@@ -87,13 +87,13 @@ TEST(SteppedRamps, TellHowLongTheyCrawl) {
 }
 
 // With steps that are short compared with the ramps, and without a jerk limit, they are trapezoids.
-TEST(SteppedRamps, OfFineStepsAndGreatJerksAreTrapezoids) {
+TEST(SteppedRamps, BecomeTrapezoidsWithFineStepsAndHighJerk) {
     SteppedRamps ramps(1e-4);
     const ExecutedBlock driven = drive(make_block({.length_mm = 50, .jerk_mm_s3 = 1e9}), ramps);
     EXPECT_NEAR(driven.time_s, 0.5 + 0.1, 1e-2);  // it crawls for 6 ms
 }
 
-TEST(SteppedRamps, GoTheirWayAndNeverBackNorFasterThanPlanned) {
+TEST(SteppedRamps, CoverLengthWithoutMovingBack) {
     std::mt19937 random(3);
     const auto number = [&](double from, double to) {
         return std::exp(std::uniform_real_distribution<double>(std::log(from), std::log(to))(random));
@@ -121,7 +121,7 @@ TEST(SteppedRamps, GoTheirWayAndNeverBackNorFasterThanPlanned) {
 }
 
 // Lengths for which a step of time is lost with 32 bits, unrealistic speeds, and blocks entered too fast.
-TEST(SteppedRamps, EndWhateverTheNumbers) {
+TEST(SteppedRamps, TerminateForExtremeValues) {
     for (const double length_mm : {1e-6, 1.0, 1e6}) {
         for (const double speed_mm_s : {1e-3, 1.0, 1e4}) {
             for (const double jerk_mm_s3 : {1.0, 1e9}) {

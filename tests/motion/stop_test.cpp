@@ -47,7 +47,7 @@ int run_out(DefaultPlanner& planner, rrs::JointPos& at) {
 class StopServices : public AnyPlanner {};
 INSTANTIATE_TEST_SUITE_P(Ways, StopServices, all_ways(), way_name);
 
-TEST_P(StopServices, ATrapezoidStopsInTheLengthOfItsBrakes) {
+TEST_P(StopServices, TrapezoidStopsWithinBrakingDistance) {
     ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     ready.planner.SetInterpolationTime(0.5);
     ready.to(joint_pos({100, 0, 0}));
@@ -65,7 +65,7 @@ TEST_P(StopServices, ATrapezoidStopsInTheLengthOfItsBrakes) {
     EXPECT_NEAR(ready.time_s, 0.6 + trapezoid_s(50, 100, 1000), 1e-9);
 }
 
-TEST_P(StopServices, CancelDropsTheRest) {
+TEST_P(StopServices, CancelDropsRemainingMotion) {
     ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     ready.planner.SetInterpolationTime(0.5);
     ready.to(joint_pos({100, 0, 0}));
@@ -81,7 +81,7 @@ TEST_P(StopServices, CancelDropsTheRest) {
     EXPECT_EQ(at, joint_pos({0, 0, 0}));
 }
 
-TEST_P(StopServices, WhereNothingMoves) {
+TEST_P(StopServices, StopAndContinueWorkAtStandstill) {
     ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     EXPECT_EQ(ready.planner.ContinueMotion(), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
@@ -99,7 +99,7 @@ TEST_P(StopServices, WhereNothingMoves) {
 }
 
 /// Straight ahead over short blocks, straight ramps brake as over one.
-TEST_P(StopServices, ShortBlocksDoNotDelayIt) {
+TEST_P(StopServices, ShortBlocksDoNotDelayStop) {
     ReadyShell ready(make(look_ahead_setup()), joint_pos({0, 0, 0}));
     ready.planner.SelectFlybyMode(true);
     ready.planner.SelectMotionType(MotionType::linear);
@@ -112,7 +112,7 @@ TEST_P(StopServices, ShortBlocksDoNotDelayIt) {
     EXPECT_EQ(ready.step().status, Status::RRS_NEED_MORE_DATA);
 }
 
-TEST_P(StopServices, OnAnArcItStaysOnTheArc) {
+TEST_P(StopServices, StopStaysOnArc) {
     for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         PlannerSetup setup = three_slide_machine();
         setup.controller.planner = kind;
@@ -197,7 +197,7 @@ TEST(Stop, KeepsLimitsOverManyBlocks) {
     }
 }
 
-TEST(Stop, OnAnArcNoWayIsLost) {
+TEST(Stop, KeepsFullLengthOfArc) {
     for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         PlannerSetup setup = three_slide_machine();
         setup.controller.planner = kind;
@@ -217,7 +217,7 @@ TEST(Stop, OnAnArcNoWayIsLost) {
 
 /// A rotary joint that takes longer to stop than the tool continues independently, and the tool stays on its
 /// arc.
-TEST(Stop, ATurningJointBesideAnArc) {
+TEST(Stop, RotaryJointStopsIndependentlyOfArc) {
     std::mt19937 random(23);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int run = 0; run < 150; ++run) {

@@ -88,7 +88,7 @@ class Reference {
     std::vector<double> speed2_;
 };
 
-TEST(TimeBoundCurve, ArcUnderLimitsOfItsPathAloneHasAClosedForm) {
+TEST(TimeBoundCurve, ArcWithPathLimitsMatchesClosedForm) {
     Random random(5);
     for (int i = 0; i < 100; ++i) {
         const double radius = random.around(10);
@@ -104,7 +104,7 @@ TEST(TimeBoundCurve, ArcUnderLimitsOfItsPathAloneHasAClosedForm) {
 }
 
 // However the path is measured, one joint that never reverses has its own trapezoid.
-TEST(TimeBoundCurve, OneJointTakesItsOwnTrapezoid) {
+TEST(TimeBoundCurve, SingleJointTakesOwnTrapezoid) {
     Random random(11);
     for (int i = 0; i < 300; ++i) {
         const double frequency = random.between(0.5, 2);
@@ -128,7 +128,7 @@ TEST(TimeBoundCurve, OneJointTakesItsOwnTrapezoid) {
 // The path speeds up to 10 at 1 and slows down at 10. During the slowdown a joint with hardly any
 // acceleration moves at its own constant speed of 1. That is only possible because the path slows down;
 // mirrored, speeds up.
-TEST(TimeBoundCurve, AJointMayNeedThePathToChangeItsSpeed) {
+TEST(TimeBoundCurve, JointLimitsMayRequirePathSpeedChange) {
     for (const bool mirrored : {false, true}) {
         const PathCaps caps{kNoBound, mirrored ? 10.0 : 1.0, mirrored ? 1.0 : 10.0};
         const auto at = [&](double s) {
@@ -145,7 +145,7 @@ TEST(TimeBoundCurve, AJointMayNeedThePathToChangeItsSpeed) {
     }
 }
 
-TEST(TimeBoundCurve, CircleAgreesWithANumericalOptimum) {
+TEST(TimeBoundCurve, CircleAgreesWithNumericalOptimum) {
     for (const double turns : {0.05, 0.25, 0.7, 1.0, 2.5}) {
         const Shape shape = circle(2, turns, 20);
         const double feasible_s = Reference(shape, 3000).feasible_s();
@@ -154,7 +154,7 @@ TEST(TimeBoundCurve, CircleAgreesWithANumericalOptimum) {
     }
 }
 
-TEST(TimeBoundCurve, RandomCurvesAgreeWithANumericalOptimum) {
+TEST(TimeBoundCurve, RandomCurvesAgreeWithNumericalOptimum) {
     Random random(6);
     for (int i = 0; i < 40; ++i) {
         const Shape shape = random_shape(random);
@@ -187,7 +187,7 @@ double smooth_law_s(const Shape& shape, Random& random) {
     return sum * std::sqrt(worst) * (1 + 1e-4);
 }
 
-TEST(TimeBoundCurve, NoRandomLawOnACurveBeatsTheBound) {
+TEST(TimeBoundCurve, NoRandomLawOnCurveBeatsBound) {
     Random random(7);
     for (int i = 0; i < 300; ++i) {
         const Shape shape = random_shape(random);

@@ -30,7 +30,7 @@ double bound_of(const std::vector<Line>& lines, TimeBoundGrid grid = {}) {
     return bound.bound_s();
 }
 
-TEST(TimeBound, LineTakesTheTimeOfTheTrapezoid) {
+TEST(TimeBound, LineTakesTrapezoidTime) {
     Random random(1);
     for (int i = 0; i < 20'000; ++i) {
         const PathCaps caps = random.caps(4);
@@ -40,7 +40,7 @@ TEST(TimeBound, LineTakesTheTimeOfTheTrapezoid) {
     }
 }
 
-TEST(TimeBound, ACutLineTakesTheTimeOfTheWhole) {
+TEST(TimeBound, SplitLineTakesTimeOfFullLine) {
     Random random(2);
     for (int i = 0; i < 300; ++i) {
         const PathCaps caps = random.caps(2);
@@ -54,7 +54,7 @@ TEST(TimeBound, ACutLineTakesTheTimeOfTheWhole) {
     }
 }
 
-TEST(TimeBound, ALongPathThroughTheWindowTakesTheTimeOfTheWhole) {
+TEST(TimeBound, LongPathThroughWindowTakesTimeOfFullLine) {
     const PathCaps caps{100, 500, 800};
     const std::vector<Line> parts(300'000, Line{0.01, caps});
     EXPECT_NEAR(bound_of(parts), trapezoid_s(3000, caps), 1e-9);
@@ -109,14 +109,14 @@ TEST(TimeBound, PolylinesAgreeWithDynamicProgramming) {
     }
 }
 
-TEST(TimeBound, JointsLimitALineByTheirShares) {
+TEST(TimeBound, JointsLimitLineByTheirShares) {
     TimeBound bound({joints({100, 30, kNoBound}), joints({1000, 500, 800})});
     bound.add_line(200, joints({0.6, -0.8, 0}), {70, 1200, 400});
     const PathCaps expected{30 / 0.8, 500 / 0.8, 400};
     EXPECT_DOUBLE_EQ(bound.bound_s(), trapezoid_s(200, expected));
 }
 
-TEST(TimeBound, AStopPartsThePath) {
+TEST(TimeBound, StopSplitsPath) {
     Random random(4);
     const std::vector<Line> first = random_lines(random, 20);
     const std::vector<Line> second = random_lines(random, 20);
@@ -132,7 +132,7 @@ TEST(TimeBound, AStopPartsThePath) {
     EXPECT_DOUBLE_EQ(bound.bound_s(), bound_of(first));
 }
 
-TEST(TimeBound, AChangeOfMeasureFreesTheSpeed) {
+TEST(TimeBound, ChangeOfMeasureFreesSpeed) {
     // 50 mm up to 100 mm/s in 1 s, then 0.5 rad down from 1 rad/s in 1 s.
     TimeBound bound({});
     bound.add_line(50, {1000, 100, 100});
@@ -141,7 +141,7 @@ TEST(TimeBound, AChangeOfMeasureFreesTheSpeed) {
     EXPECT_DOUBLE_EQ(bound.bound_s(), 2);
 }
 
-TEST(TimeBound, NoRandomLawWithStopsBeatsTheBound) {
+TEST(TimeBound, NoRandomLawWithStopsBeatsBound) {
     Random random(8);
     for (int i = 0; i < 500; ++i) {
         double law_s = 0;
@@ -178,7 +178,7 @@ double mixed_bound_s(unsigned seed, const JointLimits& limits, const PathCaps& c
     return bound.bound_s();
 }
 
-TEST(TimeBound, CuttingTheWindowNeverRaisesTheBound) {
+TEST(TimeBound, ShorterWindowNeverRaisesBound) {
     const JointLimits limits{joints({20, 30}), joints({40, 25})};
     for (unsigned seed = 0; seed < 30; ++seed) {
         const double total_s = mixed_bound_s(seed, limits, {25, 60, 50}, {.cell_rad = 0.05});
@@ -191,7 +191,7 @@ TEST(TimeBound, CuttingTheWindowNeverRaisesTheBound) {
     }
 }
 
-TEST(TimeBound, FallsAsAnyLimitRises) {
+TEST(TimeBound, NeverRisesWithHigherLimits) {
     Random random(9);
     for (unsigned seed = 0; seed < 60; ++seed) {
         JointLimits limits{joints({random.around(20), random.around(20)}),
@@ -209,20 +209,20 @@ TEST(TimeBound, FallsAsAnyLimitRises) {
     }
 }
 
-TEST(TimeBound, InfiniteLimitsDropOut) {
+TEST(TimeBound, IgnoresInfiniteLimits) {
     EXPECT_DOUBLE_EQ(bound_of({{100, {50, kNoBound, kNoBound}}}), 2);
     EXPECT_DOUBLE_EQ(bound_of({{100, {kNoBound, 100, 100}}}), 2);
     EXPECT_NEAR(bound_of({{100, {}}}), 0, 1e-40);
 }
 
-TEST(TimeBound, LengthsThatAreNoneAddNothing) {
+TEST(TimeBound, IgnoresInvalidLengths) {
     const PathCaps caps{100, 100, 100};
     for (const double none : {0.0, -1.0, kNaN, -kNoBound}) {
         EXPECT_DOUBLE_EQ(bound_of({{300, caps}, {none, {1e-9, 1e-9, 1e-9}}}), 4) << none;
     }
 }
 
-TEST(TimeBound, OddValuesGiveANumberThatIsNotNegative) {
+TEST(TimeBound, OddValuesGiveNonNegativeBound) {
     const double odd[] = {0, -1, 1e-320, 1e-200, 1, 1e200, 1e308, kNoBound, -kNoBound, kNaN};
     Random random(10);
     const auto any = [&] { return odd[random.count(0, std::size(odd) - 1)]; };

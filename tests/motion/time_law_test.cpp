@@ -24,7 +24,7 @@ double integrated(const TimeLaw& law, double until_s) {
     return s;
 }
 
-TEST(TimeLaw, NothingToDoTakesNoTime) {
+TEST(TimeLaw, ZeroLengthTakesNoTime) {
     const TimeLaw law{};
     EXPECT_EQ(law.duration_s(), 0);
     EXPECT_EQ(law.at(0).s, 0);
@@ -32,7 +32,7 @@ TEST(TimeLaw, NothingToDoTakesNoTime) {
     EXPECT_EQ(TimeLaw::fastest(0, 10, 10).at(1).v, 0);
 }
 
-TEST(TimeLaw, TrapezoidByHand) {
+TEST(TimeLaw, TrapezoidMatchesHandCalculation) {
     // 1 s up and 1 s down at 100 mm/s2 are 100 mm; 200 mm remain for 2 s at 100 mm/s.
     const TimeLaw law = TimeLaw::fastest(300, 100, 100);
     EXPECT_DOUBLE_EQ(law.duration_s(), 4);
@@ -46,14 +46,14 @@ TEST(TimeLaw, TrapezoidByHand) {
     EXPECT_DOUBLE_EQ(law.at(3.5).a, -100);
 }
 
-TEST(TimeLaw, TriangleByHand) {
+TEST(TimeLaw, TriangleMatchesHandCalculation) {
     const TimeLaw law = TimeLaw::fastest(100, 1000, 100);
     EXPECT_DOUBLE_EQ(law.duration_s(), 2);
     EXPECT_DOUBLE_EQ(law.peak_speed(), 100);
     EXPECT_DOUBLE_EQ(law.at(1).s, 50);
 }
 
-TEST(TimeLaw, InfiniteLimitsDropOut) {
+TEST(TimeLaw, IgnoresInfiniteLimits) {
     EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).duration_s(), 2);
     EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).at(1).s, 50);
     EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).at(0).v, 50);
@@ -62,7 +62,7 @@ TEST(TimeLaw, InfiniteLimitsDropOut) {
     EXPECT_EQ(TimeLaw::fastest(100, kInfinity, kInfinity).at(0).s, 100);
 }
 
-TEST(TimeLaw, IsClampedToItsDurationAndEndsExactly) {
+TEST(TimeLaw, ClampsTimeToDurationAndEndsExactly) {
     const TimeLaw law = TimeLaw::fastest(0.1 + 0.2, 0.7, 0.3);
     EXPECT_EQ(law.at(-1).s, 0);
     EXPECT_EQ(law.at(law.duration_s()).s, 0.1 + 0.2);
@@ -70,7 +70,7 @@ TEST(TimeLaw, IsClampedToItsDurationAndEndsExactly) {
     EXPECT_NEAR(law.at(1e9).v, 0, 1e-12);
 }
 
-TEST(TimeLaw, InTimeByHand) {
+TEST(TimeLaw, WithDurationMatchesHandCalculation) {
     // 300 mm in 4 s with ramps of 100 mm/s2 is the trapezoid above; with more time it only cruises slower.
     EXPECT_DOUBLE_EQ(TimeLaw::with_duration(300, 4, 100).peak_speed(), 100);
     const TimeLaw slow = TimeLaw::with_duration(300, 7, 100);
@@ -79,21 +79,21 @@ TEST(TimeLaw, InTimeByHand) {
     EXPECT_DOUBLE_EQ(TimeLaw::with_duration(300, 4, kInfinity).peak_speed(), 75);
 }
 
-TEST(TimeLaw, InTimeTakesAShortfallWithinRoundingAsEqual) {
+TEST(TimeLaw, WithDurationAcceptsShortfallWithinRounding) {
     const double min = TimeLaw::fastest_s(7, kInfinity, 3);
     const TimeLaw law = TimeLaw::with_duration(7, min * (1 - 1e-15), 3);
     EXPECT_EQ(law.at(min).s, 7);
     EXPECT_LE(law.at(0).a, 3 * (1 + kRelative));
 }
 
-TEST(TimeLaw, StandingStillMayTakeTime) {
+TEST(TimeLaw, StandstillMayTakeTime) {
     const TimeLaw law = TimeLaw::with_duration(0, 5, 100);
     EXPECT_EQ(law.duration_s(), 5);
     EXPECT_EQ(law.at(3).s, 0);
     EXPECT_EQ(law.at(3).v, 0);
 }
 
-TEST(TimeLaw, RestToRestBeginsAndEndsAtRest) {
+TEST(TimeLaw, FastestLawBeginsAndEndsAtStandstill) {
     const TimeLaw law = TimeLaw::fastest(300, 100, 100);
     EXPECT_EQ(law.start_speed(), 0);
     EXPECT_EQ(law.end_speed(), 0);
@@ -101,7 +101,7 @@ TEST(TimeLaw, RestToRestBeginsAndEndsAtRest) {
     EXPECT_EQ(TimeLaw{}.peak_acceleration(), 0);
 }
 
-TEST(TimeLaw, TrapezoidBetweenMovingEndsByHand) {
+TEST(TimeLaw, TrapezoidBetweenSpeedsMatchesHandCalculation) {
     // 1 s from 50 to 100 at 50 mm/s2, 1 s at 100, 1 s down to 20 at 80 mm/s2: 75 + 100 + 60 mm.
     const TimeLaw law = TimeLaw::between(235, 50, 20, {100, 50, 80, kInfinity});
     EXPECT_EQ(law.sections().size(), 3U);
@@ -113,7 +113,7 @@ TEST(TimeLaw, TrapezoidBetweenMovingEndsByHand) {
     EXPECT_DOUBLE_EQ(law.peak_acceleration(), 80);
 }
 
-TEST(TimeLaw, BrakesFirstWhereTheStartIsTooFast) {
+TEST(TimeLaw, BrakesFirstIfStartIsTooFast) {
     // 1 s down to 60 at 40 mm/s2, 1 s at 60, 1 s down to 20: 80 + 60 + 40 mm.
     const TimeLaw law = TimeLaw::between(180, 100, 20, {60, 1000, 40, kInfinity});
     EXPECT_DOUBLE_EQ(law.duration_s(), 3);
@@ -122,7 +122,7 @@ TEST(TimeLaw, BrakesFirstWhereTheStartIsTooFast) {
     EXPECT_DOUBLE_EQ(law.peak_speed(), 100);
 }
 
-TEST(TimeLaw, OfPiecesHasTheValuesOfItsPieces) {
+TEST(TimeLaw, FromSectionsHasValuesOfSections) {
     // Up by jerk and past the peak at 2 s, then constant speed; the part without duration is omitted.
     const LawSection sections[] = {{3, 0, 1, 4, -2}, {0, 12, 4, 0, 0}, {2, 12, 4, 0, 0}};
     const TimeLaw law = TimeLaw::from_sections(sections);
@@ -138,7 +138,7 @@ TEST(TimeLaw, OfPiecesHasTheValuesOfItsPieces) {
     EXPECT_EQ(TimeLaw::from_sections({}).duration_s(), 0);
 }
 
-TEST(TimeLaw, OfPiecesCopiesALaw) {
+TEST(TimeLaw, FromSectionsCopiesLaw) {
     const TimeLaw law = TimeLaw::between(70, 3, 5, {20, 15, 10, 40});
     const TimeLaw copy = TimeLaw::from_sections(law.sections());
     EXPECT_DOUBLE_EQ(copy.length(), 70);
@@ -180,7 +180,7 @@ void expect_law(const TimeLaw& law, const Case& c, double duration_s) {
     ASSERT_NEAR(law.at(duration_s).v, 0, 1e-9 * law.peak_speed()) << what();
 }
 
-TEST(TimeLaw, RandomLawsKeepTheirLimitsAndTheirTime) {
+TEST(TimeLaw, RandomLawsKeepLimitsAndDuration) {
     std::mt19937 random(21);
     for (int i = 0; i < 20'000; ++i) {
         const Case c = random_case(random);
@@ -194,7 +194,7 @@ TEST(TimeLaw, RandomLawsKeepTheirLimitsAndTheirTime) {
     }
 }
 
-TEST(TimeLaw, DistanceIsTheIntegralOfTheSpeed) {
+TEST(TimeLaw, DistanceIsIntegralOfSpeed) {
     std::mt19937 random(22);
     for (int i = 0; i < 300; ++i) {
         const Case c = random_case(random);

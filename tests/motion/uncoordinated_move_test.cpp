@@ -49,11 +49,11 @@ double way_by_chords_mm(const Segment& segment) {
     return sum_mm;
 }
 
-class ApartServices : public AnyPlanner {};
-INSTANTIATE_TEST_SUITE_P(Ways, ApartServices, all_ways(), way_name);
+class UncoordinatedMoveServices : public AnyPlanner {};
+INSTANTIATE_TEST_SUITE_P(Ways, UncoordinatedMoveServices, all_ways(), way_name);
 
 // 100 mm/s and 1000 mm/s2: 0.1 s and 5 mm for a ramp.
-TEST_P(ApartServices, EachJointIsThereWhenItIsThere) {
+TEST_P(UncoordinatedMoveServices, JointsReachTargetIndependentlyIfNotInterpolated) {
     for (const bool interpolated : {true, false}) {
         PlannerSetup setup = apart_slides();
         setup.controller.coordination.interpolated_rapids = interpolated;
@@ -74,7 +74,7 @@ TEST_P(ApartServices, EachJointIsThereWhenItIsThere) {
     }
 }
 
-TEST_P(ApartServices, FeedsKeepTheirLine) {
+TEST_P(UncoordinatedMoveServices, FeedsStayOnLine) {
     ReadyShell ready(make(apart_slides()), joint_pos({0, 0, 0}));
     ready.planner.SelectMotionType(rrs::MotionType::linear);
     ready.planner.SetCartesianPositionSpeed(50);
@@ -84,7 +84,7 @@ TEST_P(ApartServices, FeedsKeepTheirLine) {
     EXPECT_NEAR(at[1], at[0] * 0.75, 1e-9);
 }
 
-TEST_P(ApartServices, NoneFollowsAConveyor) {
+TEST_P(UncoordinatedMoveServices, RejectRapidOnConveyor) {
     PlannerSetup setup = apart(gantry_setup());
     ReadyShell ready(make(setup), joint_pos({500, 500, 300, 0, 0}));
     ready.planner.SelectMotionType(rrs::MotionType::linear);
@@ -98,7 +98,7 @@ TEST_P(ApartServices, NoneFollowsAConveyor) {
     EXPECT_EQ(ready.to(joint_pos({600, 540, 300, 0, 0})), Status::RRS_SUCCESS);
 }
 
-TEST_P(ApartServices, EventsOnTheWayComeWhereTheToolIs) {
+TEST_P(UncoordinatedMoveServices, PathEventsOccurAtToolPosition) {
     ReadyShell ready(make(apart_slides()), joint_pos({0, 0, 0}));
     ready.planner.SelectMotionType(rrs::MotionType::linear);
     ready.planner.SetRapid(true);
@@ -112,7 +112,7 @@ TEST_P(ApartServices, EventsOnTheWayComeWhereTheToolIs) {
     EXPECT_NEAR(time_s, 0.55, 1e-9) << "at X50 Y40: the rest is along X alone";
 }
 
-TEST(ApartMove, WayIsThatOfTheTool) {
+TEST(UncoordinatedMove, LengthIsToolPathLength) {
     ReadyRapids at(apart_slides(), joint_pos({0, 0, 0}));
     at.to(joint_pos({100, 40, 0}));
     const Segment& segment = at.last();
@@ -124,7 +124,7 @@ TEST(ApartMove, WayIsThatOfTheTool) {
     EXPECT_NEAR(segment.path_speed_mm_s(0.75), 100, 1e-9);
 }
 
-TEST(ApartMove, OfOneJointIsALine) {
+TEST(UncoordinatedMove, IsLineForSingleJoint) {
     ReadyRapids at(apart_slides(), joint_pos({0, 0, 0}));
     at.to(joint_pos({0, -70, 0}));
     EXPECT_FALSE(at.last().is_uncoordinated());
@@ -132,7 +132,7 @@ TEST(ApartMove, OfOneJointIsALine) {
     EXPECT_EQ(at.last().length_mm, 70);
 }
 
-TEST(ApartMove, UnlimitedAccelerationsMakeSharpCorners) {
+TEST(UncoordinatedMove, UnlimitedAccelerationGivesSharpCorner) {
     PlannerSetup setup = apart_slides();
     for (JointSetup& joint : setup.joints) joint.max_acceleration = kUnlimited;
     ReadyRapids at(setup, joint_pos({0, 0, 0}));
@@ -145,7 +145,7 @@ TEST(ApartMove, UnlimitedAccelerationsMakeSharpCorners) {
 }
 
 // The TCP of G43.4 is controlled in feeds; in a rapid each joint moves to its target.
-TEST(ApartMove, ATipUnderControlIsNotLed) {
+TEST(UncoordinatedMove, IgnoresTcpControlInRapid) {
     ReadyRapids at(apart(gantry_setup()), joint_pos({500, 500, 300, 0, 0}));
     ASSERT_EQ(at.planner.SetTipControl(true, {0, 0, -50}), Status::RRS_SUCCESS);
     ASSERT_EQ(at.to(joint_pos({600, 520, 300, 0.3, 0.2})), Status::RRS_SUCCESS);
@@ -155,7 +155,7 @@ TEST(ApartMove, ATipUnderControlIsNotLed) {
     EXPECT_EQ(at.last().end, joint_pos({600, 520, 300, 0.3, 0.2}));
 }
 
-TEST(ApartMove, OverridesOfRapidsSlowEachJoint) {
+TEST(UncoordinatedMove, RapidOverrideSlowsEachJoint) {
     PlannerSetup setup = apart_slides();
     setup.overrides = std::make_shared<const OverrideSchedule>(
         std::vector<OverrideChange>{{.at_s = 0, .to = {.rapid = 0.5}}});
@@ -177,7 +177,7 @@ double own_time_s(const PlannerSetup& setup, int joint, double change) {
         .duration_s();
 }
 
-TEST(ApartMove, RandomOnesKeepAllLimitsAndEachJointTakesItsLeastTime) {
+TEST(UncoordinatedMove, RandomMovesKeepLimitsAndJointsTakeMinimumTime) {
     std::mt19937 random(31);
     std::uniform_real_distribution<double> place(-300, 300);
     for (int round = 0; round < 200; ++round) {
@@ -216,7 +216,7 @@ TEST(ApartMove, RandomOnesKeepAllLimitsAndEachJointTakesItsLeastTime) {
 
 // Each joint brakes independently, and after ContinueMotion moves the remainder of its distance
 // independently, too.
-TEST(ApartMove, StopsAndGoesOnJointByJoint) {
+TEST(UncoordinatedMove, StopsAndContinuesEachJointIndependently) {
     ReadyRapids at(apart_slides(), joint_pos({0, 0, 0}));
     at.to(joint_pos({100, 40, 10}));
     at.planner.SetInterpolationTime(0.25);
@@ -239,7 +239,7 @@ TEST(ApartMove, StopsAndGoesOnJointByJoint) {
     ASSERT_NO_FATAL_FAILURE(expect_smooth(standstill));
 }
 
-TEST(ApartMove, StopsOfRandomOnesKeepTheLimits) {
+TEST(UncoordinatedMove, StopsOfRandomMovesKeepLimits) {
     std::mt19937 random(32);
     std::uniform_real_distribution<double> place(-300, 300), unit(0, 1);
     for (int round = 0; round < 100; ++round) {

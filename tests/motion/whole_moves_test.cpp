@@ -24,7 +24,7 @@ Move line_to(rrs::TargetId id, const rrs::JointPos& joints, double speed_mm_s) {
     return move;
 }
 
-class WholeMoves : public testing::Test {
+class CompleteMoves : public testing::Test {
   protected:
     double number(double min, double max) { return std::uniform_real_distribution(min, max)(random); }
     bool chance() { return random() % 2 == 0; }
@@ -65,7 +65,7 @@ class WholeMoves : public testing::Test {
     rrs::TargetId id = 0;
 };
 
-TEST_F(WholeMoves, AreMadeAlikeWhateverCameBefore) {
+TEST_F(CompleteMoves, DoNotDependOnPreviousCalls) {
     StoredSegments after;
     DefaultPlanner used(gantry_setup(), &after);
     used.Initialize();
@@ -94,7 +94,7 @@ TEST_F(WholeMoves, AreMadeAlikeWhateverCameBefore) {
 }
 
 // Each side keeps its selections: the program's move in between changes none of the client's.
-TEST_F(WholeMoves, LeaveTheModesOfServices) {
+TEST_F(CompleteMoves, LeaveServiceModesUnchanged) {
     const rrs::JointPos near = joint_pos({500, 500, 300, 0, 0});
     const rrs::JointPos far = joint_pos({900, 500, 300, 0, 0});
     const auto duration_s = [&](bool moves_between) {

@@ -27,7 +27,7 @@ bool is_arc(const MadeMove& move) {
 }
 
 // Returns the kind of a move in messages: all straight feed moves are one.
-std::string way_of(const MadeMove& move) {
+std::string motion_name(const MadeMove& move) {
     return is_arc(move) || move.kind == "rapid" || move.kind == "dwell" || move.kind == "thread" ? move.kind
                                                                                                  : "linear";
 }
@@ -158,7 +158,7 @@ std::string compare_positions(const RunRecord& first, const RunRecord& second) {
         }
         const bool ends_there =
             found < found_moves.size() && distance(expected_value, found_moves[found]) <= kSamePlace;
-        const bool same_way = ends_there && (way_of(expected_value) == way_of(found_moves[found]) ||
+        const bool same_way = ends_there && (motion_name(expected_value) == motion_name(found_moves[found]) ||
                                              is_piece(expected_value, found_moves[found]));
         if (same_way) {
             // Further turns end at the end of the first one.

@@ -22,7 +22,7 @@ RunRecord run(std::vector<MadeMove> moves) {
     return {std::move(moves), {}, 0};
 }
 
-TEST(CompareRuns, PlacesWithinAThousandth) {
+TEST(CompareRuns, AcceptsPositionsWithinOneMicrometre) {
     const RunRecord first = run({to("rapid", 1, 2), to("linear", 3, 4)});
     EXPECT_EQ(compare_positions(first, run({to("rapid", 1.0009, 2), to("linear", 3, 4)})), "");
     EXPECT_NE(compare_positions(first, run({to("rapid", 1.0011, 2), to("linear", 3, 4)})), "");
@@ -31,12 +31,12 @@ TEST(CompareRuns, PlacesWithinAThousandth) {
     EXPECT_NE(compare_positions(first, run({to("rapid", 1, 2), to("linear", 3, 4), to("linear", 5, 4)})), "");
 }
 
-TEST(CompareRuns, MovesThatAreNoneMayBeMissing) {
+TEST(CompareRuns, AcceptsMissingTinyMove) {
     const RunRecord first = run({to("rapid", 1, 2), to("linear", 1.0004, 2), to("linear", 3, 4)});
     EXPECT_EQ(compare_positions(first, run({to("rapid", 1, 2), to("linear", 3, 4)})), "");
 }
 
-TEST(CompareRuns, AnArcMayComeInPieces) {
+TEST(CompareRuns, AcceptsArcInParts) {
     const RunRecord first = run({to("rapid", 0, 0), arc(10, 0, 5)});
     EXPECT_EQ(compare_positions(first, run({to("rapid", 0, 0), arc(5, 5, 5), arc(10, 0, 5)})), "");
     EXPECT_EQ(compare_positions(first, run({to("rapid", 0, 0), to("linear", 5, 5), to("linear", 10, 0)})),
@@ -47,7 +47,7 @@ TEST(CompareRuns, AnArcMayComeInPieces) {
     EXPECT_NE(compare_positions(first, run({to("rapid", 0, 0), to("linear", 5, 5)})), "");
 }
 
-TEST(CompareRuns, TimesAndEvents) {
+TEST(CompareRuns, ReportsDifferentTimesAndEvents) {
     RunRecord first, second;
     first.time_s = 100;
     second.time_s = 100.09;
@@ -69,7 +69,7 @@ RunRecord switches(const std::vector<std::string>& kinds) {
     return run_record;
 }
 
-TEST(CompareRuns, OverridesAreOneSwitchOrTwo) {
+TEST(CompareRuns, AcceptsTwoOverrideSwitchesForOne) {
     RunRecord two;
     two.events = {{1, "override", "feed enabled"}, {1, "override", "speed enabled"}};
     EXPECT_EQ(compare_events(switches({"overrides_on"}), two, {}), "");
@@ -77,7 +77,7 @@ TEST(CompareRuns, OverridesAreOneSwitchOrTwo) {
 }
 
 // LinuxCNC's M6 stops the spindle: only its stop and its start, both, may be added to the change.
-TEST(CompareRuns, AChangeOfTheToolMayStopTheSpindleThatGoesOnBehindIt) {
+TEST(CompareRuns, AcceptsSpindleStopAndRestartAtToolChange) {
     const RunRecord on = switches({"spindle_ccw", "tool_change", "flood_on"});
     EXPECT_EQ(compare_events(on, switches({"spindle_ccw", "tool_change", "flood_on"}), {}), "");
     EXPECT_EQ(compare_events(

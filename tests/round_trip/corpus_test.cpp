@@ -100,7 +100,7 @@ std::optional<WayRound> begun(const fs::path& folder, const fs::path& program, s
     return std::nullopt;
 }
 
-TEST_F(Corpus, ComesBackAsItWas) {
+TEST_F(Corpus, IsReproducedByRoundTrip) {
     const char* const corpus = std::getenv("GSIM_CORPUS");
     if (corpus == nullptr || !fs::is_directory(corpus)) GTEST_SKIP() << "no folder GSIM_CORPUS";
     Table strict, going_on;

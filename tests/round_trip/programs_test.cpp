@@ -45,7 +45,7 @@ class RoundTrip : public apps::Apps {
     }
 };
 
-TEST_F(RoundTrip, SamplesAndGoldenPrograms) {
+TEST_F(RoundTrip, ReproducesSamplesAndGoldenPrograms) {
     int written = 0;
     for (const fs::path& folder :
          {fs::path(tests::source_path("samples")), fs::path(tests::source_path("tests/golden"))}) {
@@ -67,7 +67,7 @@ TEST_F(RoundTrip, SamplesAndGoldenPrograms) {
 
 // The programs of the random comparison with a second evaluator: offsets, rotations, planes, units, dwells,
 // calls and variables of both dialects.
-TEST_F(RoundTrip, RandomProgramsOfBothDialects) {
+TEST_F(RoundTrip, ReproducesRandomProgramsOfBothDialects) {
     int written = 0;
     for (const auto dialect : {roundtrip::Dialect::ab9, roundtrip::Dialect::ngc}) {
         const std::string name = dialect == roundtrip::Dialect::ab9 ? "ab9" : "rs274ngc";
@@ -84,7 +84,7 @@ TEST_F(RoundTrip, RandomProgramsOfBothDialects) {
 }
 
 // Modes, feeds, speeds, switches, tools, offsets and subprograms, with each method to write offsets.
-TEST_F(RoundTrip, RandomModes) {
+TEST_F(RoundTrip, ReproducesRandomModes) {
     int written = 0;
     for (unsigned seed = 1; seed <= programs(10); ++seed) {
         for (const std::string dialect : {"ab9", "rs274ngc"}) {

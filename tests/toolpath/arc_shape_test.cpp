@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 // A circle that was chosen first: its arc through any third point is found again, on the side of that point.
-TEST(ArcShape, ThroughAViaPoint) {
+TEST(ArcShape, FindsCircleThroughViaPoint) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> number(-1, 1);
     for (int i = 0; i < 1000; ++i) {
@@ -40,7 +40,7 @@ TEST(ArcShape, ThroughAViaPoint) {
     }
 }
 
-TEST(ArcShape, AHelixOfSeveralTurnsEndsAtItsEnd) {
+TEST(ArcShape, HelixOfSeveralTurnsReachesEndPoint) {
     Point point;
     point.motion = MotionType::circular;
     point.position_mm = {0, 10, 30};

@@ -85,7 +85,7 @@ Point to(const Vector& position, double a, double c) {
     return point;
 }
 
-TEST(AxisMoves, ALineWithTurningAxesKeepsTheTipOnIt) {
+TEST(AxisMoves, KeepsTcpOnLineWhileRotaryAxesMove) {
     const Moved run({to({900, 800, 300}, 0, 10), to({1000, 800, 300}, 40, 75)});
     ASSERT_GT(run.log.moves.size(), 5U);
     EXPECT_EQ(run.log.notes.size(), 1U);
@@ -99,7 +99,7 @@ TEST(AxisMoves, ALineWithTurningAxesKeepsTheTipOnIt) {
     EXPECT_NEAR(run.minutes_from(1), 100.0 / 1000, 1e-3) << "the feed is of the tip";
 }
 
-TEST(AxisMoves, AnArcStaysOneWhileTheHeadIsStill) {
+TEST(AxisMoves, SplitsArcOnlyIfHeadTurns) {
     Point arc = to({900, 800, 300}, 30, 20);
     arc.motion = MotionType::circular;
     arc.arc = CenterArc{{950, 800, 300}, {0, 0, 1}, 360};
@@ -120,7 +120,7 @@ TEST(AxisMoves, AnArcStaysOneWhileTheHeadIsStill) {
 
 // A half circle with ends tilted in opposite directions has two paths between them, of which the axes take
 // the shorter one.
-TEST(AxisMoves, ATiltOverTheUprightIsNoted) {
+TEST(AxisMoves, ReportsTiltThroughVertical) {
     const auto leaning = [](const Vector& at, double x, double y) {
         Point point = to(at, 0, 0);
         point.orientation = ToolAxis{{x, y, 1}};
@@ -146,7 +146,7 @@ TEST(AxisMoves, ATiltOverTheUprightIsNoted) {
     const Moved along(std::move(targets));
     EXPECT_EQ(along.error, "");
     for (const std::string& note : along.log.notes)
-        EXPECT_EQ(note.find("upright"), std::string::npos) << note;
+        EXPECT_EQ(note.find("is vertical"), std::string::npos) << note;
     for (std::size_t i = 1; i < along.log.moves.size(); ++i) {
         const AxisValues middle = (along.log.moves[i - 1].axes + along.log.moves[i].axes) / 2;
         const Vector3d axis = MachineSpace::make(along.machine).value().tool_axis(middle);
@@ -155,7 +155,7 @@ TEST(AxisMoves, ATiltOverTheUprightIsNoted) {
 }
 
 // The TCP stays in the work while the head turns about it: X, Y and Z move, so F is in mm/min.
-TEST(AxisMoves, TurningAboutTheTip) {
+TEST(AxisMoves, KeepsTcpWhileTurningAboutIt) {
     Point turn = to({900, 800, 300}, 40, 60);
     turn.feed_deg_min = 2000;
     const Moved run({to({900, 800, 300}, 0, 0), turn});
@@ -167,7 +167,7 @@ TEST(AxisMoves, TurningAboutTheTip) {
 }
 
 // Full turns return X, Y and Z to their positions; between them the TCP must not swing.
-TEST(AxisMoves, UnwindingKeepsTheTipWhereItIs) {
+TEST(AxisMoves, KeepsTcpWhileUnwinding) {
     std::vector<Target> targets;
     for (int i = 0; i <= 30; ++i) targets.emplace_back(to({900.0 + i, 800, 300}, 20, 30 * i));
     std::get<Point>(targets[0]).actions = {"waterjet_on"};
@@ -184,7 +184,7 @@ TEST(AxisMoves, UnwindingKeepsTheTipWhereItIs) {
     EXPECT_GE(run.log.actions.size(), 3U);
 }
 
-TEST(AxisMoves, WhatIsOutOfReachBetweenPointsIsAnError) {
+TEST(AxisMoves, ReportsOutOfReachBetweenPoints) {
     // Both ends are within X; between them, at C 180, its axis is 60 mm further than at C 0.
     const Moved run({to({2950, 800, 300}, 0, 100), to({2950, 800, 300}, 0, 260)});
     EXPECT_NE(run.error.find("out of reach: X"), std::string::npos) << run.error;
@@ -197,7 +197,7 @@ Program with_sub_path(const Point& first_use, const Point& second_use, const Poi
             0};
 }
 
-TEST(AxisMoves, SubPathsKnowHowTheyAreEntered) {
+TEST(AxisMoves, SubPathsConsiderTheirEntryPositions) {
     const Point begin = to({1000, 800, 300}, 30, 20);
     const Point near = to({900, 800, 300}, 0, 0);
     const Moved same(offset_head(), with_sub_path(near, near, begin), 1);
@@ -217,7 +217,7 @@ TEST(AxisMoves, SubPathsKnowHowTheyAreEntered) {
 
 // Only the last of several points on one line of the axes is left; other points bend the path, turn no axis,
 // or have other feeds.
-TEST(AxisMoves, LinesThatGoOnAreMerged) {
+TEST(AxisMoves, MergesCollinearLines) {
     const machine::Machine machine = offset_head();
     const MachineSpace space = MachineSpace::make(machine).value();
     Log log;
@@ -245,7 +245,7 @@ TEST(AxisMoves, LinesThatGoOnAreMerged) {
 }
 
 // The program's digits say no more of them than lines do.
-TEST(AxisMoves, TinyArcsAreLinesWithinTheirDigits) {
+TEST(AxisMoves, ApproximatesTinyArcsWithinDigits) {
     Point arc = to({900.02, 800, 300}, 0, 0);
     arc.motion = MotionType::circular;
     arc.arc = CenterArc{{900.01, 800, 300}, {0, 0, 1}, 180};

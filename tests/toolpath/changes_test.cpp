@@ -80,7 +80,7 @@ void expect_moved(const Program& before, const Program& behind, const rrs::CartP
     }
 }
 
-TEST(PathChanges, APathThatIsTurnedAboutTheVerticalKeepsItsShape) {
+TEST(PathChanges, RotationAboutVerticalKeepsShape) {
     const machine::Machine gantry = read_sample("af5.toml");
     const MachineSpace space = MachineSpace::make(gantry).value();
     std::mt19937 random(7);
@@ -95,7 +95,7 @@ TEST(PathChanges, APathThatIsTurnedAboutTheVerticalKeepsItsShape) {
     }
 }
 
-TEST(PathChanges, ATurnThatNoRotaryAxisMakesGivesToolAxes) {
+TEST(PathChanges, ArbitraryRotationMovesPositionsAndToolAxes) {
     const machine::Machine gantry = read_sample("af5.toml");
     const MachineSpace space = MachineSpace::make(gantry).value();
     const rrs::CartPos motion = motion_of(10, 20, 30, 0.3, 0.2, -0.1);
@@ -105,7 +105,7 @@ TEST(PathChanges, ATurnThatNoRotaryAxisMakesGivesToolAxes) {
 }
 
 // The axis of a table that turns the work turns in the other direction.
-TEST(PathChanges, TablesTurnTheirOwnWay) {
+TEST(PathChanges, RotationWithRotaryTableKeepsRotaryAxes) {
     const machine::Machine mill = read_sample("mill-table-table.toml");
     const MachineSpace space = MachineSpace::make(mill).value();
     ASSERT_EQ(space.rotary_count(), 2U);
@@ -125,7 +125,7 @@ TEST(PathChanges, TablesTurnTheirOwnWay) {
     }
 }
 
-TEST(PathChanges, ArcsStayArcsOfTheirRadius) {
+TEST(PathChanges, ArcsKeepRadiusAndAngle) {
     const machine::Machine gantry = read_sample("af5.toml");
     const MachineSpace space = MachineSpace::make(gantry).value();
     std::mt19937 random(3);
@@ -134,7 +134,7 @@ TEST(PathChanges, ArcsStayArcsOfTheirRadius) {
         Program placed = before;
         const rrs::CartPos motion = motion_of(100, -50, 20, 0.1 * i);
         if (const auto done = place(placed, motion, space); !done) {
-            EXPECT_THAT(done.error().message, HasSubstr("should say where the rotary axes"));
+            EXPECT_THAT(done.error().message, HasSubstr("must define the positions of the rotary axes"));
             continue;
         }
         for (std::size_t p = 0; p < before.paths.size(); ++p) {
@@ -154,7 +154,7 @@ TEST(PathChanges, ArcsStayArcsOfTheirRadius) {
     }
 }
 
-TEST(PathChanges, WhatCannotBePlacedIsSaid) {
+TEST(PathChanges, RejectsUnplaceablePaths) {
     const machine::Machine gantry = read_sample("af5.toml");
     const MachineSpace space = MachineSpace::make(gantry).value();
     const auto error = [&](Program program) {
@@ -172,7 +172,7 @@ TEST(PathChanges, WhatCannotBePlacedIsSaid) {
 }
 
 // The tool of a machine without rotary axes keeps its direction.
-TEST(PathChanges, WhatCannotLeanIsNotLeant) {
+TEST(PathChanges, RejectsTiltWithoutRotaryAxes) {
     const machine::Machine router = read_sample("router3.toml");
     const MachineSpace space = MachineSpace::make(router).value();
     Point point;
@@ -185,7 +185,7 @@ TEST(PathChanges, WhatCannotLeanIsNotLeant) {
 }
 
 // The axis positions at a reference point are not turned along with the path.
-TEST(PathChanges, BehindAPointOfTheMachineEachAxisIsNamed) {
+TEST(PathChanges, NeedsAllRotaryAxesAfterMachinePoint) {
     const machine::Machine mill = read_sample("mill-table-table.toml");
     const MachineSpace space = MachineSpace::make(mill).value();
     Point full, part;
@@ -223,7 +223,7 @@ Program of_three(Path third) {
             0};
 }
 
-TEST(PathChanges, TheOrderOfSubPathsChanges) {
+TEST(PathChanges, ReordersSubPaths) {
     Program program = of_three({"c", {point_at(3, 300)}});
     ASSERT_TRUE(put_in_order(program, {2, 0, 1}));
     const auto& targets = program.paths[0].targets;
@@ -233,7 +233,7 @@ TEST(PathChanges, TheOrderOfSubPathsChanges) {
 }
 
 // A value that a sub-path takes over from the one before would differ in another order.
-TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
+TEST(PathChanges, RejectsReorderingIfStateIsInherited) {
     const std::vector<std::size_t> order{2, 0, 1};
     const auto error = [&](Path third) {
         Program program = of_three(std::move(third));
@@ -271,7 +271,7 @@ TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
     EXPECT_TRUE(put_in_order(fine, order));
 }
 
-TEST(PathChanges, AnyOrderOfTheWheelIsOneThatCanBeRun) {
+TEST(PathChanges, AcceptsAnyOrderOfWheel) {
     std::vector<std::size_t> order{0, 1, 2};
     do {
         Program program = wheel();
@@ -280,7 +280,7 @@ TEST(PathChanges, AnyOrderOfTheWheelIsOneThatCanBeRun) {
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(PathChanges, FeedsAreSetOrMultiplied) {
+TEST(PathChanges, SetsOrScalesFeeds) {
     Program program = of_three({"c", {point_at(3, 300), point_at(4, std::nullopt)}});
     ASSERT_TRUE(change_feeds(program, {.value = 0.5}));
     EXPECT_EQ(std::get<Point>(program.paths[1].targets[0]).feed_mm_min, 50);
@@ -299,7 +299,7 @@ TEST(PathChanges, FeedsAreSetOrMultiplied) {
                 HasSubstr("no point of 'root'"));
 }
 
-TEST(PathChanges, FeedsThatOthersTakeOverAreNotChangedAlone) {
+TEST(PathChanges, RejectsChangeOfInheritedFeed) {
     const FeedChange change{.path = "b", .value = 2};
     Program accepts = of_three({"c", {point_at(3, std::nullopt)}});
     EXPECT_THAT(change_feeds(accepts, change).error().message,

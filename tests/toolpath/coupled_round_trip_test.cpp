@@ -118,13 +118,13 @@ void expect_tip_on_path(const PathFile& file, const Coupled& setup) {
 
 class CoupledRoundTrip : public testing::TestWithParam<Coupled> {};
 
-TEST_P(CoupledRoundTrip, TheTipGoesWhereThePathSays) {
+TEST_P(CoupledRoundTrip, TcpFollowsPath) {
     std::mt19937 random(11);
     expect_tip_on_path({random_path(random, GetParam().middle), "f", {}, {}}, GetParam());
 }
 
 // The TCP reaches its feed in each part, while axes on ramps of their own would be out of proportion.
-TEST(TurningHead, KeepsTheTipOnALine) {
+TEST(TurningHead, KeepsTcpOnLine) {
     std::vector<Target> targets(2, Point{});
     auto& start = std::get<Point>(targets[0]);
     auto& end = std::get<Point>(targets[1]);

@@ -20,7 +20,7 @@ std::string error_of(const std::string& text) {
     return file ? "no error" : file.error().message;
 }
 
-TEST(PathJson, RandomProgramsComeBackEqual) {
+TEST(PathJson, RoundTripsRandomPrograms) {
     std::mt19937 random(1);
     for (int i = 0; i < 300; ++i) {
         RandomPathOptions options;
@@ -32,7 +32,7 @@ TEST(PathJson, RandomProgramsComeBackEqual) {
     }
 }
 
-TEST(PathJson, AllKindsOfOrientationComeBack) {
+TEST(PathJson, RoundTripsAllKindsOfOrientation) {
     Program program{"n", {{"p", {}}}, 0};
     Point point;
     for (const Orientation& each : std::vector<Orientation>{ToolAxis{{0, 1e-3, 2}}, RollPitchYaw{1, 2, 3},
@@ -44,7 +44,7 @@ TEST(PathJson, AllKindsOfOrientationComeBack) {
     EXPECT_EQ(read_json(to_json(program), "f").value().program, program);
 }
 
-TEST(PathJson, PlacesAreThoseOfTheTargets) {
+TEST(PathJson, ReportsSourceLocationsOfTargets) {
     const auto file = read_json(
         "{\"paths\": [\n {\"name\": \"a\", \"targets\": [\n  {\"position_mm\": [1, 2, 3]},\n"
         "  {\"path\": \"b\", \"repeats\": 2}]},\n {\"name\": \"b\", \"targets\": [{\"position_mm\": "
@@ -57,7 +57,7 @@ TEST(PathJson, PlacesAreThoseOfTheTargets) {
     EXPECT_EQ(std::get<SubPath>(file->program.paths[0].targets[1]), (SubPath{1, 2}));
 }
 
-TEST(PathJson, TheRootIsTheFirstPathUnlessNamed) {
+TEST(PathJson, RootIsFirstPathUnlessNamed) {
     const std::string paths =
         "\"paths\": [{\"name\": \"a\", \"targets\": [{\"position_mm\": [1, 2, 3]}]},"
         "{\"name\": \"b\", \"targets\": [{\"position_mm\": [1, 2, 3]}]}]";
@@ -74,7 +74,7 @@ struct Wrong {
     std::string error;
 };
 
-TEST(PathJson, ErrorsNamePlaceAndReason) {
+TEST(PathJson, ErrorsNameLocationAndReason) {
     const std::vector<Wrong> cases = {
         {"", "f:1:1: syntax error while parsing value - unexpected end of input"},
         {"[]", "f:1:1: a path file must be an object {...}, not an array"},
@@ -115,7 +115,7 @@ TEST(PathJson, ErrorsNamePlaceAndReason) {
     }
 }
 
-TEST(PathJson, MangledFilesEndWithAValueOrALocatedSentence) {
+TEST(PathJson, CorruptFilesAreReadOrRejectedWithLocation) {
     std::mt19937 random(2);
     const std::string full = to_json(random_program(random));
     for (int i = 0; i < 3000; ++i) {
@@ -125,7 +125,7 @@ TEST(PathJson, MangledFilesEndWithAValueOrALocatedSentence) {
     }
 }
 
-TEST(PathJson, DeepBracketsAndHugeNumbersAreErrors) {
+TEST(PathJson, RejectsDeepNestingAndHugeNumbers) {
     EXPECT_TRUE(is_located(error_of(std::string(1'000'000, '['))));
     EXPECT_TRUE(is_located(error_of(with_target("{\"position_mm\": [1e999, 0, 0]}"))));
     EXPECT_TRUE(is_located(error_of(with_target("{\"position_mm\": [1e300, 0, 0]}"))));

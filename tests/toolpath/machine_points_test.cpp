@@ -38,7 +38,7 @@ Point rapid(const Vector& position, std::optional<Orientation> orientation = {})
     return point;
 }
 
-TEST(MachinePoints, WhatIsReadIsWritten) {
+TEST(MachinePoints, RoundTripsThroughJson) {
     const auto file =
         read_json(path_of(R"({"fixed": "CLAMP1", "name": "left", "dwell_s": 1.5, "actions": ["a", "b"]},
                    {"fixed": 12}, {"reference": 4}, {"reference": "DOCK"})"),
@@ -57,7 +57,7 @@ TEST(MachinePoints, WhatIsReadIsWritten) {
     EXPECT_EQ(read_json(to_json(file->program), "f").value().program, file->program);
 }
 
-TEST(MachinePoints, WhatIsIllFormedIsTold) {
+TEST(MachinePoints, RejectsInvalidPoints) {
     EXPECT_EQ(error_of(R"({"fixed": 1, "reference": 1})"),
               "f:1:38: 'fixed' and 'reference' are two points; a target may have only one of them");
     EXPECT_EQ(error_of(R"({"reference": 1, "feed_mm_min": 1})"),
@@ -82,7 +82,7 @@ TEST(MachinePoints, WhatIsIllFormedIsTold) {
 
 // The rapid comes directly after the point, after a sub-path that ends there, and at the beginning of a
 // repeated sub-path.
-TEST(MachinePoints, WhatFollowsIsARapid) {
+TEST(MachinePoints, FirstMotionAfterPointMustBeRapid) {
     const std::string message =
         "the first motion after a fixed or reference point must be a rapid, because the position of that "
         "point in the work is unknown";
@@ -102,7 +102,7 @@ TEST(MachinePoints, WhatFollowsIsARapid) {
     EXPECT_EQ(with_park(R"({"path": "q"})", line + R"(,{"fixed": 1})"), "no error");
 }
 
-TEST(MachinePoints, ARecordedPathHasNone) {
+TEST(MachinePoints, RejectsPointsInRecordedPath) {
     const auto file = read_json(
         R"({"work_offsets": {"54": {}}, "paths": [{"name": "p", "targets": [{"fixed": 1}]}]})", "f");
     ASSERT_FALSE(file);
@@ -110,7 +110,7 @@ TEST(MachinePoints, ARecordedPathHasNone) {
               "f:1:66: a path that was recorded from a run has no fixed or reference points");
 }
 
-TEST(MachinePoints, ZGoesFirstWhereThatLeadsUp) {
+TEST(MachinePoints, MovesZFirstIfUpward) {
     const auto steps = [](std::map<char, double> axes) {
         return plan_approach(fixed(std::move(axes)), 100).steps;
     };
@@ -132,7 +132,7 @@ TEST(MachinePoints, ZGoesFirstWhereThatLeadsUp) {
     EXPECT_EQ(machine_path.steps, (Steps{{{'Z', 0}}, {{'X', 0}, {'Y', 0}}}));
 }
 
-class Plan : public testing::Test {
+class MachinePointPlan : public testing::Test {
   protected:
     void plan(Program program) {
         program_ = std::move(program);
@@ -149,7 +149,7 @@ class Plan : public testing::Test {
     std::vector<std::optional<AxisValues>> entries_;
 };
 
-TEST_F(Plan, GoesOnFromWhereThePointHasTheAxes) {
+TEST_F(MachinePointPlan, ContinuesFromAxisPositionsOfPoint) {
     const auto leaning = [](double b) { return RotaryAxes{{'B', b}, {'C', 0}}; };
     plan({"n",
           {{"p",
@@ -165,7 +165,7 @@ TEST_F(Plan, GoesOnFromWhereThePointHasTheAxes) {
 }
 
 // A path of such points alone has no values of its own; its users continue with theirs.
-TEST_F(Plan, PathsThatNameNoRotaryAxisPassThemOn) {
+TEST_F(MachinePointPlan, PathsWithoutRotaryAxesPassThemOn) {
     const MachinePoint park = fixed({{'X', 1}, {'Y', 1}, {'Z', 1}});
     plan(
         {"n",
@@ -232,7 +232,7 @@ struct Driven : MoveSink {
 
 // Programs without a jet cut with each line, so that axes take the short path. It starts from their true
 // positions, wherever points of the machine have left them.
-TEST_F(Plan, LinesTurnTheShortWayFromWhereTheAxesReallyStand) {
+TEST_F(MachinePointPlan, LinesTurnAtMostHalfTurnFromActualPositions) {
     std::mt19937 random(11);
     int driven = 0, lines = 0, ups = 0;
     for (int i = 0; i < 400; ++i) {

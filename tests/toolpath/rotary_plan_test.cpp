@@ -46,13 +46,13 @@ struct Planned {
     const std::vector<RotarySchedule::Unwinding>& unwindings() const { return turns.value()[0].unwindings; }
 };
 
-TEST(RotaryPlan, NoNeedlessWholeTurns) {
+TEST(RotaryPlan, AvoidsUnnecessaryFullTurns) {
     const Planned planned({turned(0, 170, 10), turned(1, -170, 10), turned(2, -150, 10), turned(3, 180, 10)});
     EXPECT_TRUE(planned.unwindings().empty());
     for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(std::abs(planned.b(i) - planned.b(i - 1)), 60) << i;
 }
 
-TEST(RotaryPlan, AsGivenTakesTheNumbers) {
+TEST(RotaryPlan, LiteralOptionKeepsGivenValues) {
     const Planned planned({turned(0, 170, 10), turned(1, -170, 10), turned(2, 190, 10)},
                           {.is_literal = true});
     EXPECT_EQ(planned.b(1), -170);
@@ -60,7 +60,7 @@ TEST(RotaryPlan, AsGivenTakesTheNumbers) {
 }
 
 // Five turns in steps of 30 deg within -360..360: some stops are needed, and no more than that.
-TEST(RotaryPlan, UnwindsAsSeldomAsCanBe) {
+TEST(RotaryPlan, UnwindsAsRarelyAsPossible) {
     std::vector<Target> targets;
     for (int i = 0; i <= 60; ++i) targets.emplace_back(turned(i, 30 * i, 20));
     const Planned planned(std::move(targets));
@@ -79,7 +79,7 @@ TEST(RotaryPlan, UnwindsAsSeldomAsCanBe) {
     }
 }
 
-TEST(RotaryPlan, UnwindsWhereTheJetIsOffIfThatIsEnough) {
+TEST(RotaryPlan, UnwindsWhileJetIsOffIfSufficient) {
     std::vector<Target> targets;
     for (int i = 0; i <= 33; ++i) {
         Point point = turned(i, 30 * i, 20);
@@ -91,7 +91,7 @@ TEST(RotaryPlan, UnwindsWhereTheJetIsOffIfThatIsEnough) {
     for (const RotarySchedule::Unwinding& each : planned.unwindings()) EXPECT_EQ(each.target, 20U);
 }
 
-TEST(RotaryPlan, TheJetIsOffWhileAxesUnwind) {
+TEST(RotaryPlan, TurnsJetOffWhileUnwinding) {
     struct Log : MoveSink {
         bool jet = false;
         int turns = 0;
@@ -122,7 +122,7 @@ TEST(RotaryPlan, TheJetIsOffWhileAxesUnwind) {
 }
 
 // Orientation by the tool's axis: the machine's forward kinematics point in the direction of the path.
-TEST(RotaryPlan, ToolAxesAreReachedAndTurnedToLittle) {
+TEST(RotaryPlan, ReachesToolAxesWithoutUnwinding) {
     const machine::Machine machine = built_in();
     std::vector<Target> targets;
     for (int i = 0; i <= 72; ++i) {
@@ -159,7 +159,7 @@ void expect_fault(const Planned& planned, std::size_t target, const std::string&
     EXPECT_NE(planned.turns.error().message.find(part), std::string::npos) << planned.turns.error().message;
 }
 
-TEST(RotaryPlan, FaultsNameTheTarget) {
+TEST(RotaryPlan, ErrorsNameTarget) {
     Point bare = turned(0, 0, 0);
     bare.orientation.reset();
     expect_fault(Planned({bare}), 0, "needs an orientation");
@@ -172,7 +172,7 @@ TEST(RotaryPlan, FaultsNameTheTarget) {
     expect_fault(Planned({below}), 0, "");
 }
 
-TEST(RotaryPlan, AnOrientationHandedOverDifferently) {
+TEST(RotaryPlan, RejectsDifferentInheritedOrientations) {
     Point bare = turned(5, 0, 0);
     bare.orientation.reset();
     Program program{

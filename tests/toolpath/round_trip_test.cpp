@@ -161,7 +161,7 @@ struct Controller {
 
 class RoundTrip : public testing::TestWithParam<Controller> {};
 
-TEST_P(RoundTrip, TheToolGoesWhereThePathSays) {
+TEST_P(RoundTrip, ToolFollowsPath) {
     const Controller& controller = GetParam();
     const codegen::Post post = codegen::find_post(controller.post).value();
     const machine::Machine machine =

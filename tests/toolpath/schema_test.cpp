@@ -33,7 +33,7 @@ json schema() {
     return text::parse_json<json>(file);
 }
 
-TEST(PathSchema, HasTheReadersKeys) {
+TEST(PathSchema, KeysMatchReader) {
     const json all = schema();
     EXPECT_EQ(keys_of(all["properties"]), as_set(kProgramKeys));
     EXPECT_EQ(keys_of(all["$defs"]["path"]["properties"]), as_set(kPathKeys));
@@ -44,7 +44,7 @@ TEST(PathSchema, HasTheReadersKeys) {
     EXPECT_EQ(all["$defs"]["point"]["properties"]["motion"]["enum"], json(kMotionNames));
 }
 
-TEST(PathSchema, HasTheReadersTypes) {
+TEST(PathSchema, TypesMatchReader) {
     const json all = schema();
     for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
         const auto key = static_cast<TargetKey>(i);
@@ -68,7 +68,7 @@ TEST(PathSchema, HasTheReadersTypes) {
     }
 }
 
-TEST(PathSchema, HasTheReadersTouches) {
+TEST(PathSchema, TouchesMatchReader) {
     const json touch = schema()["$defs"]["touch"];
     EXPECT_EQ(keys_of(touch["properties"]), as_set(kTouchKeys));
     EXPECT_EQ(as_set(touch["required"].get<std::vector<std::string>>()),
@@ -84,7 +84,7 @@ TEST(PathSchema, HasTheReadersTouches) {
     }
 }
 
-TEST(PathSchema, HasTheReadersNumbersOfMachinePoints) {
+TEST(PathSchema, MachinePointNumbersMatchReader) {
     const json all = schema();
     const auto accepted = [](const std::string& key, int number) {
         const json point = {{key, number}};
@@ -101,7 +101,7 @@ TEST(PathSchema, HasTheReadersNumbersOfMachinePoints) {
 }
 
 // The reader accepts what the schema allows at its limits, and no more.
-TEST(PathSchema, HasTheReadersLimits) {
+TEST(PathSchema, LimitsMatchReader) {
     const json all = schema();
     const auto accepted = [](const std::string& key, double value) {
         json point = {{"position_mm", {1, 2, 3}}, {"feed_mm_min", 1}};

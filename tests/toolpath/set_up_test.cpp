@@ -50,7 +50,7 @@ std::string reported(const Program& program, std::size_t path, const MoveOptions
     return done ? log.reported : done.error().message;
 }
 
-TEST(SetUp, AFrameIsToldBeforeTheFirstMotionAndWhereItChanges) {
+TEST(FramesAndTools, SetsFrameBeforeFirstMotionAndAtChanges) {
     const Program program = program_of(
         path(R"("job", "work_offset": "G54")",
              std::string(kRapid) +
@@ -61,7 +61,7 @@ TEST(SetUp, AFrameIsToldBeforeTheFirstMotionAndWhereItChanges) {
     EXPECT_EQ(reported(program, 1), "rapid line ") << "in the frame of whoever uses it";
 }
 
-TEST(SetUp, AToolIsChangedWhereItIsAnotherOne) {
+TEST(FramesAndTools, ChangesToolOnlyIfDifferent) {
     const Program program = program_of(
         path(R"("job")", R"({"path": "rough"}, {"path": "more"}, {"path": "fine", "repeats": 2})") + "," +
         path(R"("rough", "tool": 3)", kRapid) + "," + path(R"("more", "tool": 3)", kRapid) + "," +
@@ -73,7 +73,7 @@ TEST(SetUp, AToolIsChangedWhereItIsAnotherOne) {
     for (const std::size_t sub_path : {1U, 2U, 3U}) EXPECT_EQ(reported(program, sub_path), "rapid ");
 }
 
-TEST(SetUp, WhatAChangeOfTheToolStopsIsSetGoingAgain) {
+TEST(FramesAndTools, RestartsSpindleAfterToolChange) {
     const Program program = program_of(
         path(
             R"("job")",
@@ -86,7 +86,7 @@ TEST(SetUp, WhatAChangeOfTheToolStopsIsSetGoingAgain) {
               "[tool_length H3] call1 ");
 }
 
-TEST(SetUp, TheWayFromAboveIsARapid) {
+TEST(FramesAndTools, FirstMotionAfterFrameChangeMustBeRapid) {
     const std::string uses = std::string(kRapid) + R"(, {"path": "part", "work_offset": "G55"})";
     const std::string root = R"("job", "work_offset": "G54")";
     EXPECT_NE(
@@ -99,7 +99,7 @@ TEST(SetUp, TheWayFromAboveIsARapid) {
     EXPECT_EQ(reported(program_of(path(root, kLine)), 0), "G54 line ");
 }
 
-TEST(SetUp, ASubPathGoesBackToItsOwnFrame) {
+TEST(FramesAndTools, RestoresFrameAfterSubPath) {
     const std::string inner = path(R"("inner", "work_offset": "G56")", kRapid);
     const Program own =
         program_of(path(R"("job", "work_offset": "G54")", R"({"path": "outer"})") + "," +
@@ -113,7 +113,7 @@ TEST(SetUp, ASubPathGoesBackToItsOwnFrame) {
     EXPECT_NE(reported(differs, 1).find("the path needs a separate 'work_offset'"), std::string::npos);
 }
 
-TEST(SetUp, AJetIsOffMeanwhile) {
+TEST(FramesAndTools, RejectsFrameChangeWhileJetIsOn) {
     const Program program =
         program_of(path(R"("job", "work_offset": "G54")",
                         R"({"motion": "rapid", "position_mm": [1, 2, -3], "actions": ["waterjet_on"]},
@@ -124,7 +124,7 @@ TEST(SetUp, AJetIsOffMeanwhile) {
 }
 
 // 10 + 595 is beyond X 600; if the position of the frame is unknown, no error is reported.
-TEST(SetUp, RangesAreThoseOfTheMachine) {
+TEST(FramesAndTools, ChecksMachineRangesInWorkFrame) {
     const Program program =
         program_of(path(R"("job")", R"({"path": "part", "work_offset": "G55"}, {"path": "part"})") + "," +
                    path(R"("part")", kRapid));
@@ -140,7 +140,7 @@ TEST(SetUp, RangesAreThoseOfTheMachine) {
     EXPECT_EQ(reported(above, 0, options), "G55 rapid ");
 }
 
-TEST(SetUp, FilesHaveThemAndComeBackEqual) {
+TEST(FramesAndTools, RoundTripsThroughJson) {
     const Program program = program_of(
         path(R"("job", "work_offset": "G59.1", "set_offset_mm": [1, 2, 3], "tool": 3, "diameter_offset": 5)",
              R"({"path": "part", "work_offset": "G55", "set_offset_mm": [4, 5, 6]})") +
@@ -152,7 +152,7 @@ TEST(SetUp, FilesHaveThemAndComeBackEqual) {
     EXPECT_EQ(read_json(to_json(program), "f").value().program, program);
 }
 
-TEST(SetUp, WhatIsNoneIsTold) {
+TEST(FramesAndTools, RejectsInvalidFramesAndTools) {
     const auto error = [](const std::string& name_and_keys, const std::string& targets,
                           bool recorded = false) {
         const std::string offsets = recorded ? R"("work_offsets": {"54": {"X": 1}}, )" : "";

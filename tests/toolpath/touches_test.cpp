@@ -23,7 +23,7 @@ std::string error_of_touch(const std::string& touch) {
     return error_of(R"("work_offset": "G55", "probe_offset": [{)" + touch + "}]");
 }
 
-TEST(Touches, WhatIsReadIsWritten) {
+TEST(Touches, RoundTripsThroughJson) {
     const auto file = read(
         R"("work_offset": "G55", "set_offset_mm": [1, 2, 3], "tool": 1, "probe_offset": [{"axis": "Z", )" +
             kWay +
@@ -41,13 +41,13 @@ TEST(Touches, WhatIsReadIsWritten) {
 }
 
 // The ball touches with its side: its middle is a radius before the surface, from either direction.
-TEST(Touches, TheMiddleOfTheBallIsBeforeTheSurface) {
+TEST(Touches, ContactIsProbeRadiusBeforeSurface) {
     EXPECT_EQ(contact_mm({'X', {-9, 0, 0}, 5, 1, 60, 2, {}}), -1);
     EXPECT_EQ(contact_mm({'Y', {0, 9, 0}, -5, 1, 60, 2, {}}), 3);
     EXPECT_EQ(contact_mm({'Z', {0, 0, 9}, -5, 1, 60, 0, {}}), 1);
 }
 
-TEST(Touches, WhatIsIllFormedIsTold) {
+TEST(Touches, RejectsInvalidTouches) {
     EXPECT_EQ(error_of_touch(kWay), "f:1:65: a touch lacks the key 'axis'");
     EXPECT_EQ(error_of_touch(R"("axis": "B", )" + kWay),
               "f:1:74: 'axis' of a touch must be \"X\", \"Y\" or \"Z\"");

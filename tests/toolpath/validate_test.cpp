@@ -53,13 +53,13 @@ void expect_fault(const Program& program, const TargetId& where, const std::stri
     EXPECT_NE(error->message.find(part), std::string::npos) << error->message;
 }
 
-TEST(ValidatePath, EightLevelsBelowTheRootAndNoMore) {
+TEST(ValidatePath, AllowsEightLevelsBelowRoot) {
     EXPECT_FALSE(validate(chain(9)));
     expect_fault(chain(10), {8, 1}, "deeper than 8");
     EXPECT_TRUE(validate(chain(20'000)));
 }
 
-TEST(ValidatePath, ACycleIsFoundWhereItCloses) {
+TEST(ValidatePath, ReportsCycleAtClosingSubPath) {
     Program program = chain(3);
     program.paths[2].targets.emplace_back(SubPath{1, 1});
     expect_fault(program, {2, 1}, "'p1' contains itself");
@@ -67,7 +67,7 @@ TEST(ValidatePath, ACycleIsFoundWhereItCloses) {
     expect_fault(program, {2, 1}, "'p2' contains itself");
 }
 
-TEST(ValidatePath, ASubPathUsedManyTimesIsLookedAtOnce) {
+TEST(ValidatePath, ChecksRepeatedSubPathOnce) {
     // Unrolled it would be 50^8 points.
     Program program = chain(9);
     for (std::size_t i = 0; i < 8; ++i) {
@@ -76,7 +76,7 @@ TEST(ValidatePath, ASubPathUsedManyTimesIsLookedAtOnce) {
     EXPECT_FALSE(validate(program));
 }
 
-TEST(ValidatePath, Arcs) {
+TEST(ValidatePath, RejectsInvalidArcs) {
     EXPECT_FALSE(validate(of({at(0, 0, 0), arc_to({10, 0, 0}, {5, 5, 0})})));
     expect_fault(of({at(0, 0, 0), arc_to({10, 0, 0}, {5, 0, 0})}), {0, 1}, "via point is on the line");
     expect_fault(of({at(0, 0, 0), arc_to({10, 0, 0}, {10, 0, 0})}), {0, 1}, "via point is on the line");
@@ -91,7 +91,7 @@ TEST(ValidatePath, Arcs) {
     expect_fault(of({at(10, 0, 0), turn_to({0, 10, 0}, {0, 0, 0}, -90)}), {0, 1}, "'turn_deg'");
 }
 
-TEST(ValidatePath, AnArcAtTheStartOfASubPathFitsEachOfItsUsers) {
+TEST(ValidatePath, ChecksInitialArcOfSubPathForEachUse) {
     Program program = of({at(0, 0, 0), SubPath{1, 1}, at(10, 0, 0), SubPath{1, 1}});
     program.paths.push_back({"sub", {arc_to({10, 10, 0}, {5, 8, 0})}});
     EXPECT_FALSE(validate(program));
@@ -101,7 +101,7 @@ TEST(ValidatePath, AnArcAtTheStartOfASubPathFitsEachOfItsUsers) {
     expect_fault(program, {1, 0}, "must not end at its start");
 }
 
-TEST(ValidatePath, Values) {
+TEST(ValidatePath, RejectsInvalidValues) {
     const auto with = [](auto change) {
         Point point = at(1, 2, 3);
         change(point);

@@ -4,7 +4,7 @@
 
 #include "cam/solid/occ/flat_outline.h"
 #include "cam/solid/occ/plate_bodies.h"
-#include "cam/solid/occ/solid_outline.h"
+#include "cam/solid/occ/plate_outline_builder.h"
 
 namespace gsim::solid {
 
@@ -19,7 +19,7 @@ Result<Plate> plate_from_solids(const Bodies& bodies, const ShapeFile& file, con
     const auto frame = find_plate(bodies.solids, options);
     if (!frame) return Unexpected(frame.error());
     Plate plate;
-    SolidOutline outline(file, *frame, options.tolerance_mm, plate);
+    PlateOutlineBuilder outline(file, *frame, options.tolerance_mm, plate);
     for (const TopoDS_Solid& solid : bodies.solids) {
         if (auto result = outline.add(solid); !result) return Unexpected(result.error());
     }

@@ -13,8 +13,8 @@ constexpr double kMinDeterminant = 1e-12;
 
 }  // namespace
 
-ProgramFrame::ProgramFrame(std::size_t axis_count, const std::array<int, 3>& space_axes)
-    : space_axes_(space_axes), offset_(AxisVector::Zero(static_cast<Eigen::Index>(axis_count))) {}
+ProgramFrame::ProgramFrame(std::size_t axis_count, const std::array<int, 3>& xyz_axes)
+    : xyz_axes_(xyz_axes), offset_(AxisVector::Zero(static_cast<Eigen::Index>(axis_count))) {}
 
 bool ProgramFrame::set_matrix(const std::optional<Eigen::Matrix3d>& matrix) {
     if (!matrix) {
@@ -28,18 +28,18 @@ bool ProgramFrame::set_matrix(const std::optional<Eigen::Matrix3d>& matrix) {
     return true;
 }
 
-Eigen::Vector3d ProgramFrame::space(const AxisVector& values) const {
+Eigen::Vector3d ProgramFrame::xyz(const AxisVector& values) const {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {
-        const int axis = space_axes_[static_cast<std::size_t>(i)];
+        const int axis = xyz_axes_[static_cast<std::size_t>(i)];
         if (axis >= 0) point[i] = values[axis];
     }
     return point;
 }
 
-void ProgramFrame::set_space(AxisVector& values, const Eigen::Vector3d& point) const {
+void ProgramFrame::set_xyz(AxisVector& values, const Eigen::Vector3d& point) const {
     for (Eigen::Index i = 0; i < 3; ++i) {
-        const int axis = space_axes_[static_cast<std::size_t>(i)];
+        const int axis = xyz_axes_[static_cast<std::size_t>(i)];
         if (axis >= 0) values[axis] = point[i];
     }
 }
@@ -49,13 +49,13 @@ Eigen::Vector3d ProgramFrame::direction(const Eigen::Vector3d& program) const {
 }
 
 AxisVector ProgramFrame::to_machine(AxisVector program) const {
-    if (matrix_) set_space(program, *matrix_ * space(program));
+    if (matrix_) set_xyz(program, *matrix_ * xyz(program));
     return program + offset_;
 }
 
 AxisVector ProgramFrame::to_program(AxisVector machine) const {
     machine -= offset_;
-    if (matrix_) set_space(machine, inverse_ * space(machine));
+    if (matrix_) set_xyz(machine, inverse_ * xyz(machine));
     return machine;
 }
 

@@ -14,8 +14,8 @@ namespace gsim::script {
 /// program + offset.
 class ProgramFrame {
   public:
-    /// Makes the identity. `space_axes`: index of the machine's X, Y and Z axis, -1 if it does not have one.
-    ProgramFrame(std::size_t axis_count, const std::array<int, 3>& space_axes);
+    /// Makes the identity. `xyz_axes`: index of the machine's X, Y and Z axis, -1 if it does not have one.
+    ProgramFrame(std::size_t axis_count, const std::array<int, 3>& xyz_axes);
 
     double offset(int axis) const { return offset_[axis]; }
     /// Returns true if the offset changes.
@@ -30,10 +30,10 @@ class ProgramFrame {
     simulation::AxisVector to_program(simulation::AxisVector machine) const;
 
   private:
-    Eigen::Vector3d space(const simulation::AxisVector& values) const;
-    void set_space(simulation::AxisVector& values, const Eigen::Vector3d& point) const;
+    Eigen::Vector3d xyz(const simulation::AxisVector& values) const;
+    void set_xyz(simulation::AxisVector& values, const Eigen::Vector3d& point) const;
 
-    std::array<int, 3> space_axes_;
+    std::array<int, 3> xyz_axes_;
     simulation::AxisVector offset_;
     std::optional<Eigen::Matrix3d> matrix_;
     Eigen::Matrix3d inverse_ = Eigen::Matrix3d::Identity();

@@ -9,7 +9,7 @@ namespace {
 /// mm or deg: rounding error of rotation and scaling for an axis that does not move.
 constexpr double kMinTravel = 1e-9;
 
-std::array<int, 3> space_axes(const machine::Machine& machine) {
+std::array<int, 3> xyz_axes(const machine::Machine& machine) {
     std::array<int, 3> axes;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const auto axis = machine.find(static_cast<char>('X' + i));
@@ -23,7 +23,7 @@ std::array<int, 3> space_axes(const machine::Machine& machine) {
 ProgramPosition::ProgramPosition(const machine::Machine& machine, const motion::PlannerSetup& setup)
     : machine_(machine),
       setup_(setup),
-      space_axes_(space_axes(machine)),
+      xyz_axes_(xyz_axes(machine)),
       axes_(static_cast<Eigen::Index>(machine.axes.size())) {
     for (std::size_t i = 0; i < machine.axes.size(); ++i)
         axes_[static_cast<Eigen::Index>(i)] = machine.axes[i].home;
@@ -55,7 +55,7 @@ AxisVector ProgramPosition::at(const rrs::JointPos& joints) const {
 motion::Circle ProgramPosition::circle(const ArcMove& move) const {
     Eigen::Vector3d center = move.center_mm;
     for (Eigen::Index i = 0; i < 3; ++i) {
-        const int at = space_axes_[static_cast<std::size_t>(i)];
+        const int at = xyz_axes_[static_cast<std::size_t>(i)];
         if (at >= 0) center[i] -= machine_.axes[static_cast<std::size_t>(at)].zero;
     }
     Eigen::Vector3d axis = move.axis();
@@ -69,7 +69,7 @@ motion::Circle ProgramPosition::circle(const ArcMove& move) const {
 Eigen::Vector3d ProgramPosition::space_point(const AxisVector& axes) const {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {
-        const int axis = space_axes_[static_cast<std::size_t>(i)];
+        const int axis = xyz_axes_[static_cast<std::size_t>(i)];
         if (axis >= 0) point[i] = axes[axis];
     }
     return point;

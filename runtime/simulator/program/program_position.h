@@ -51,7 +51,7 @@ class ProgramPosition {
   private:
     const machine::Machine& machine_;
     const motion::PlannerSetup& setup_;
-    std::array<int, 3> space_axes_;  ///< Index of X, Y and Z; -1 if the machine has no such axis.
+    std::array<int, 3> xyz_axes_;  ///< Index of X, Y and Z; -1 if the machine has no such axis.
     std::optional<TcpFrame> tcp_frame_;
     AxisVector axes_;
 };

@@ -30,7 +30,7 @@ export class WorkerEngine implements Engine {
     private readonly module: Promise<WebAssembly.Module>,
   ) {}
 
-  async ask(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void): Promise<RequestResult> {
+  async request(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void): Promise<RequestResult> {
     const id = this.next++;
     return new Promise((end) => {
       this.open.set(id, { onMessage, end });
@@ -46,10 +46,10 @@ export class WorkerEngine implements Engine {
     this.endAll(cancelled);
   }
 
-  private send(module: WebAssembly.Module, ask: EngineRequest): void {
+  private send(module: WebAssembly.Module, engineRequest: EngineRequest): void {
     if (!this.worker) this.worker = this.startWorker(module);
-    if (totalSize(ask.files) > LARGE_FILES) this.grown = true;
-    this.worker.postMessage(ask satisfies ToWorker);
+    if (totalSize(engineRequest.files) > LARGE_FILES) this.grown = true;
+    this.worker.postMessage(engineRequest satisfies ToWorker);
   }
 
   private startWorker(module: WebAssembly.Module): Worker {
@@ -79,8 +79,8 @@ export class WorkerEngine implements Engine {
   }
 
   // Out of memory, or an internal error of the engine: a new worker starts from an empty state.
-  private fail(why: string): void {
-    this.endAll({ ok: false, code: "internal", message: why });
+  private fail(errorText: string): void {
+    this.endAll({ ok: false, code: "internal", message: errorText });
   }
 
   private endAll(response: RequestResult): void {

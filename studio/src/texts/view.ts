@@ -43,6 +43,6 @@ export const view = {
     enter: "Enter VR: stand in the cell",
     leave: "Leave VR",
     worn: "The headset shows the cell.",
-    refused: (why: string) => `The headset does not show the cell: ${why}`,
+    refused: (message: string) => `The headset does not show the cell: ${message}`,
   },
 } as const;

@@ -5,21 +5,21 @@ import type { Store } from "../core/store";
 import { texts } from "../texts";
 import type { View } from "./view";
 
-/** `say` shows a message to the user; empty: clears it. */
-export function watchEnvelope(store: Store, session: Session, view: View, say: (text: string) => void): void {
+/** `showMessage` shows a message to the user; empty: clears it. */
+export function watchEnvelope(store: Store, session: Session, view: View, showMessage: (text: string) => void): void {
   const { envelope } = view.runScene;
-  let asked = 0;
+  let lastRequestNumber = 0;
   const show = async (): Promise<void> => {
-    const own = ++asked;
+    const requestNumber = ++lastRequestNumber;
     envelope.group.visible = false;
     envelope.clear();
-    say("");
+    showMessage("");
     view.invalidate();
     if (!store.get("showEnvelope")) return;
     const bytes = await session.envelope();
     // The result is of an earlier machine, or not to be shown any more.
-    if (own !== asked) return;
-    say(bytes ? "" : texts.view.noEnvelope);
+    if (requestNumber !== lastRequestNumber) return;
+    showMessage(bytes ? "" : texts.view.noEnvelope);
     if (!bytes) return;
     envelope.setContent(bytes);
     envelope.group.visible = true;

@@ -15,9 +15,9 @@ const HIT_DISTANCE_PX = 4;
 const HOVER_MS = 40;
 
 /** Returns the first result that is defined. */
-function firstResult<A>(holds: Draggable[], ask: (hold: Draggable) => A): A | undefined {
+function firstResult<A>(holds: Draggable[], query: (hold: Draggable) => A): A | undefined {
   for (const hold of holds) {
-    const result = ask(hold);
+    const result = query(hold);
     if (result) return result;
   }
   return undefined;
@@ -25,7 +25,7 @@ function firstResult<A>(holds: Draggable[], ask: (hold: Draggable) => A): A | un
 
 export class PointerController implements Gestures {
   readonly tooltip = new Tooltip();
-  private readonly hovering = new Debounced(() => this.tell());
+  private readonly hovering = new Debounced(() => this.updateHover());
   private at = { x_px: 0, y_px: 0 };
   private measured = 0;
 
@@ -73,7 +73,7 @@ export class PointerController implements Gestures {
     this.hovering.after(HOVER_MS);
   }
 
-  private tell(): void {
+  private updateHover(): void {
     const { x_px, y_px } = this.at;
     const cursor = firstResult(this.view.draggables, (hold) => hold.hover(x_px, y_px)) ?? "";
     this.view.canvas.element.style.cursor = cursor;
@@ -122,22 +122,22 @@ export class PointerController implements Gestures {
     if (!frame) return;
     const hit = view.hit(x_px, y_px, HIT_DISTANCE_PX);
     const works = frame.instants.map(({ linkPoses }) => linkPoses.work);
-    const place = positionAt(x_px, y_px, view.canvas, hit, view.runScene, view.rig, works, frame.work);
-    if (!place) return;
-    view.runScene.measure.pick(place);
+    const position = positionAt(x_px, y_px, view.canvas, hit, view.runScene, view.rig, works, frame.work);
+    if (!position) return;
+    view.runScene.measure.pick(position);
     this.measured = (this.measured % 2) + 1;
-    this.say();
+    this.updateHint();
     view.invalidate();
   }
 
   private begin(): void {
     this.measured = 0;
     this.view.runScene.measure.clear();
-    this.say();
+    this.updateHint();
     this.view.invalidate();
   }
 
-  private say(): void {
+  private updateHint(): void {
     if (this.store.get("measuring")) {
       const done = this.view.runScene.measure.text(this.store.get("units"), texts.view.distance);
       this.hint.textContent = this.measured === 1 ? texts.view.measureSecond : done || texts.view.measureFirst;

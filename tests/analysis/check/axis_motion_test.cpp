@@ -49,7 +49,7 @@ std::vector<std::string> sentences(const machine::Machine& machine) {
     return list;
 }
 
-TEST(AxisMotion, SentencesSayWhichWay) {
+TEST(AxisMotion, MessagesDescribeDirectionOfMotion) {
     EXPECT_THAT(
         sentences(sample("mill-table-table.toml")),
         ElementsAre(
@@ -67,7 +67,7 @@ TEST(AxisMotion, SentencesSayWhichWay) {
 }
 
 // Comparison with moves of the TCP: the direction in a message is that of the TCP.
-TEST(AxisMotion, DirectionsAreThoseOfTheTip) {
+TEST(AxisMotion, DirectionsMatchTcpMotion) {
     for (const char* name : {"af5.toml", "router3.toml", "mill-head-table.toml", "mill-table-table.toml",
                              "gantry-offset-head.toml", "unlimited.toml", "linuxcnc-gantry.toml"}) {
         const machine::Machine machine = sample(name);
@@ -87,7 +87,7 @@ TEST(AxisMotion, DirectionsAreThoseOfTheTip) {
     }
 }
 
-TEST(AxisMotion, AMachineWithXAndYExchangedIsNotClean) {
+TEST(AxisMotion, ReportsLeftHandedAxesIfXAndYAreSwapped) {
     const machine::Machine machine = read(directed('Y', "x") + directed('X', "y") + directed('Z', "z"));
     const MachineCheck check = check_machine(machine, cell::make_machine_cell(machine).value());
     EXPECT_FALSE(check.is_clean());
@@ -99,7 +99,7 @@ TEST(AxisMotion, AMachineWithXAndYExchangedIsNotClean) {
     EXPECT_THAT(to_json(check), HasSubstr("\"left_handed\": [\n    \"X Y Z are left-handed"));
 }
 
-TEST(AxisMotion, OneAxisTurnedRoundIsLeftHandedAndSoAreSlidesBehind) {
+TEST(AxisMotion, FindsLeftHandedPrimaryAndSecondaryAxes) {
     EXPECT_EQ(find_left_handed_axes(
                   axis_motions(read(directed('X', "x") + directed('Y', "y") + directed('Z', "-z"))))
                   .size(),
@@ -118,14 +118,14 @@ TEST(AxisMotion, OneAxisTurnedRoundIsLeftHandedAndSoAreSlidesBehind) {
                 IsEmpty());
 }
 
-TEST(AxisMotion, NoSampleIsLeftHanded) {
+TEST(AxisMotion, SamplesHaveNoLeftHandedAxes) {
     for (const std::filesystem::path& file : tests::machine_files()) {
         const machine::Machine machine = machine::load_machine(file).value();
         EXPECT_THAT(find_left_handed_axes(axis_motions(machine)), IsEmpty()) << file;
     }
 }
 
-TEST(AxisMotion, RotaryAxesThatTurnTheOtherWayAreTold) {
+TEST(AxisMotion, ReportsReversedRotaryAxes) {
     const std::string linear = directed('X', "x") + directed('Y', "y") + directed('Z', "z");
     EXPECT_THAT(
         find_left_handed_rotations(axis_motions(read(linear + directed('A', "-x")))),
@@ -136,7 +136,7 @@ TEST(AxisMotion, RotaryAxesThatTurnTheOtherWayAreTold) {
         IsEmpty());
 }
 
-TEST(AxisMotion, ThePictureHasAnArrowForEachAxis) {
+TEST(AxisMotion, PictureHasArrowForEachAxis) {
     const std::string svg = axes_svg(sample("mill-table-table.toml"));
     for (const char* letter : {"+X", "+Y", "+Z", "+A", "+C"})
         EXPECT_THAT(svg, HasSubstr(fmt::format(">{}</text>", letter)));
@@ -167,7 +167,7 @@ rrs::JointPos random_joints(Eigen::Index count, std::mt19937& random) {
     return joints;
 }
 
-TEST(AxisMotion, TablesAndDirectionsAreTheSameMachine) {
+TEST(AxisMotion, TablesAndDirectionsGiveSameKinematics) {
     const std::string linear = row('X', 0, 90) + row('Y', 90, 90);
     const Twin af5{kBase + linear + row('Z', 0, 0) + row('C', 0, -90) + row('B', 0, 90),
                    directed('X', "x") + directed('Y', "y") + directed('Z', "z") + directed('C', "z") +
@@ -187,7 +187,7 @@ TEST(AxisMotion, TablesAndDirectionsAreTheSameMachine) {
 }
 
 // To a Denavit-Hartenberg table and back: modules are given the table.
-TEST(AxisMotion, DirectionsGoToATableAndBack) {
+TEST(AxisMotion, DirectionsConvertToTableAndBack) {
     std::mt19937 random(8);
     for (const char* name : {"mill-table-table.toml", "mill-head-table.toml", "linuxcnc-router.toml"}) {
         const machine::Machine machine = sample(name);

@@ -36,7 +36,7 @@ MachineCheck post_check(double distance_mm) {
     return check_of(machine);
 }
 
-TEST(JointBoxSearch, ProvesWhatIsJustFreeAndFindsWhatJustTouches) {
+TEST(JointBoxSearch, ProvesSmallClearanceAndFindsSlightContact) {
     const MachineCheck free = post_check(0.5);
     ASSERT_EQ(free.pair_findings.size(), 1U);
     EXPECT_EQ(free.pair_findings[0].verdict, Verdict::free);
@@ -48,7 +48,7 @@ TEST(JointBoxSearch, ProvesWhatIsJustFreeAndFindsWhatJustTouches) {
 }
 
 // If a contact is reported, the bodies do touch, according to the monitor of runs.
-TEST(JointBoxSearch, ContactsOfTheArmAreContacts) {
+TEST(JointBoxSearch, FindingsOfArmMatchDistances) {
     const machine::Machine machine = sample("arm6.toml");
     const cell::Cell cell = cell::make_machine_cell(machine).value();
     const auto kinematics = machine::make_kinematics(machine);
@@ -72,7 +72,7 @@ TEST(JointBoxSearch, ContactsOfTheArmAreContacts) {
 }
 
 // No random configuration contradicts what is proven.
-TEST(JointBoxSearch, WhatIsFreeIsFreeInRandomStances) {
+TEST(JointBoxSearch, FreePairsAreFreeInRandomConfigurations) {
     const machine::Machine machine = sample("mill-table-table.toml");
     const cell::Cell cell = cell::make_machine_cell(machine).value();
     const auto kinematics = machine::make_kinematics(machine);
@@ -89,7 +89,7 @@ TEST(JointBoxSearch, WhatIsFreeIsFreeInRandomStances) {
     }
 }
 
-TEST(MachineCheck, InversesOfTheSamplesClose) {
+TEST(MachineCheck, InversesOfSamplesAreConsistent) {
     for (const char* name :
          {"af5.toml", "gantry-offset-head.toml", "mill-head-table.toml", "arm6.toml", "arm6-cell.toml"}) {
         const machine::Machine machine = sample(name);
@@ -101,7 +101,7 @@ TEST(MachineCheck, InversesOfTheSamplesClose) {
     EXPECT_EQ(check_inverse(none, machine::joint_box(none)).poses, 0);
 }
 
-TEST(MachineCheck, FindsTheSingularRangesOfAnArm) {
+TEST(MachineCheck, FindsSingularRangesOfArm) {
     const machine::Machine machine = sample("arm6.toml");
     const SingularCheck check = check_singular(machine, machine::joint_box(machine));
     ASSERT_EQ(check.ranges.size(), 2U);
@@ -115,7 +115,7 @@ TEST(MachineCheck, FindsTheSingularRangesOfAnArm) {
     EXPECT_EQ(check.ranges[1].aligned_joints, (std::vector<int>{3, 5}));
 }
 
-TEST(MachineCheck, TellsItAsTextAndAsJson) {
+TEST(MachineCheck, PrintsTextAndJson) {
     const MachineCheck check = post_check(-0.01);
     const std::string text = to_text(check);
     EXPECT_THAT(text, HasSubstr("machine    3-axis router"));
@@ -129,7 +129,7 @@ TEST(MachineCheck, TellsItAsTextAndAsJson) {
     EXPECT_EQ(text, to_text(post_check(-0.01)));
 }
 
-TEST(MachineCheck, TellsGroupsOfAxes) {
+TEST(MachineCheck, ReportsAxisGroups) {
     machine::Machine machine = sample("arm6-cell.toml");
     machine.shapes.clear();
     machine.ignored.clear();
@@ -141,7 +141,7 @@ TEST(MachineCheck, TellsGroupsOfAxes) {
         {"name": "turntable", "axes": ["Z"], "carries": "work", "motion": "coordinated"}])"));
 }
 
-TEST(MachineCheck, NotesWhatIsWorthALook) {
+TEST(MachineCheck, NotesUnlimitedRangeAndMissingInverseAndBodies) {
     const MachineCheck check = check_of(sample("unlimited.toml"));
     EXPECT_TRUE(check.is_clean());
     EXPECT_THAT(check.notes, testing::Contains(HasSubstr("axis X has an unlimited range")));

@@ -15,7 +15,7 @@ double area_mm2(const Curve& curve) {
     return sum.norm();
 }
 
-TEST(Outline, TwoJointsReachAnAnnulus) {
+TEST(Outline, TwoJointsReachAnnulus) {
     const auto outlines = pair_outlines(planar_arm(), rrs::JointPos::Zero(2));
     ASSERT_EQ(outlines.size(), 1U);
     EXPECT_TRUE(outlines[0].flat);
@@ -32,7 +32,7 @@ TEST(Outline, TwoJointsReachAnAnnulus) {
 }
 
 // From -60 to 60 degrees each: the sector of the stretched arm, less what the elbow cannot come to.
-TEST(Outline, HoldsAllTipsWithinLimits) {
+TEST(Outline, ContainsReachableTcpPositions) {
     const TcpChain arm = planar_arm(-kPi / 3, kPi / 3);
     const auto outlines = pair_outlines(arm, rrs::JointPos::Zero(2));
     ASSERT_EQ(outlines[0].curves.size(), 1U);
@@ -52,17 +52,17 @@ TEST(Outline, HoldsAllTipsWithinLimits) {
     }
 }
 
-TEST(Outline, OfSlidesIsAParallelogram) {
+TEST(Outline, IsParallelogramForTwoLinearAxes) {
     const TcpChain chain{{slide(0, Vector3d::UnitX(), 0, 30), slide(1, Vector3d::UnitY(), -10, 10)},
                          {0, 0, 7}};
     const auto outlines = pair_outlines(chain, rrs::JointPos::Zero(2));
     ASSERT_EQ(outlines.size(), 1U);
     EXPECT_EQ(outlines[0].error_mm, 0);
-    EXPECT_NEAR(area_mm2({true, {{0, -10, 0}, {30, -10, 0}, {30, 10, 0}, {0, 10, 0}}}), 600, 1e-9);
+    EXPECT_NEAR(area_mm2(outlines[0].curves[0]), 600, 1e-9);
     EXPECT_TRUE(outlines[0].curves[0].points_mm[2].isApprox(Vector3d(30, 10, 7)));
 }
 
-TEST(Outline, OfACurvedSurfaceAreTheWaysAtItsEnds) {
+TEST(Outline, CurvedSurfaceHasCurvesAtJointLimits) {
     const auto all = pair_outlines(elbow_arm(), rrs::JointPos::Zero(3));
     ASSERT_EQ(all.size(), 3U);
     EXPECT_FALSE(all[0].flat);

@@ -10,10 +10,10 @@
 namespace gsim::envelope::tip_chain_test {
 namespace {
 
-class TipOfSample : public testing::TestWithParam<const char*> {};
+class TcpOfSample : public testing::TestWithParam<const char*> {};
 
 // Joints that are left out, and joints that carry the work, make no difference.
-TEST_P(TipOfSample, IsThatOfForwardKinematics) {
+TEST_P(TcpOfSample, MatchesForwardKinematics) {
     const auto machine = machine::load_machine(tests::source_path("samples/machines/") + GetParam());
     ASSERT_TRUE(machine) << machine.error().message;
     const auto kinematics = machine::make_kinematics(*machine);
@@ -27,11 +27,11 @@ TEST_P(TipOfSample, IsThatOfForwardKinematics) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, TipOfSample,
+INSTANTIATE_TEST_SUITE_P(Samples, TcpOfSample,
                          testing::Values("router3.toml", "af5.toml", "gantry-offset-head.toml",
                                          "mill-head-table.toml", "mill-table-table.toml", "arm6.toml"));
 
-TEST(TcpChain, LeavesOutWhatDoesNotMoveTheTip) {
+TEST(TcpChain, OmitsJointsWithoutTcpMotion) {
     const machine::Machine af5 = machine::read_machine(machine::built_in_machine_toml(), "af5").value();
     EXPECT_EQ(tcp_chain(af5, machine::joint_box(af5)).joints.size(), 3U);
     machine::Machine fixed = af5;
@@ -39,7 +39,7 @@ TEST(TcpChain, LeavesOutWhatDoesNotMoveTheTip) {
     EXPECT_EQ(tcp_chain(fixed, machine::joint_box(fixed)).joints.size(), 2U);
 }
 
-TEST(JointBox, HasOneTurnAtMostAndCutsWhatHasNoEnd) {
+TEST(JointBox, LimitsRotationToOneTurnAndCutsUnlimitedRange) {
     machine::Machine machine = machine::read_machine(machine::built_in_machine_toml(), "af5").value();
     machine.axes[0].max = std::numeric_limits<double>::infinity();
     machine.axes[3].home = 300;

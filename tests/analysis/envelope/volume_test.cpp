@@ -51,7 +51,7 @@ void expect_tips_within(const TcpChain& chain, const Volume& volume) {
     }
 }
 
-TEST(Volume, ThreeSlidesHaveTheirExactBox) {
+TEST(Volume, ThreeLinearAxesGiveExactBox) {
     const auto machine = machine::load_machine(tests::source_path("samples/machines/router3.toml"));
     const auto chain = envelope_chain(machine.value());
     ASSERT_TRUE(chain) << chain.error().message;
@@ -63,7 +63,7 @@ TEST(Volume, ThreeSlidesHaveTheirExactBox) {
     EXPECT_NE(to_stl(volume.surface).substr(0, 5), "solid");
 }
 
-TEST(Volume, ObliqueAndDoubledSlidesAreExactToo) {
+TEST(Volume, ObliqueAndParallelLinearAxesAreExact) {
     const Vector3d oblique = Vector3d(1, 1, 0).normalized();
     const TcpChain chain{{slide(0, Vector3d::UnitZ(), -10, 20), slide(1, oblique, 0, 100),
                           slide(2, Vector3d::UnitX(), 0, 50), slide(3, -Vector3d::UnitZ(), -30, 40)},
@@ -73,7 +73,7 @@ TEST(Volume, ObliqueAndDoubledSlidesAreExactToo) {
     EXPECT_NEAR(volume.surface.points_mm.front().z(), -50, 1e-9);
 }
 
-TEST(Volume, AnElbowArmReachesAShell) {
+TEST(Volume, ElbowArmReachesShell) {
     const TcpChain arm = elbow_arm();
     const Volume volume = reached_volume(arm, 40);
     expect_closed(volume.surface);
@@ -87,7 +87,7 @@ TEST(Volume, AnElbowArmReachesAShell) {
     expect_tips_within(arm, volume);
 }
 
-TEST(Volume, ASlideTurnedAboutItsSideIsAPieceOfARing) {
+TEST(Volume, RotatedLinearAxisGivesRingSector) {
     const TcpChain chain{{turn(0, Vector3d::Zero(), Vector3d::UnitZ(), 0, kPi / 2),
                           slide(1, Vector3d::UnitZ(), 0, 100), slide(2, Vector3d::UnitX(), 0, 100)},
                          {200, 0, 0}};
@@ -98,7 +98,7 @@ TEST(Volume, ASlideTurnedAboutItsSideIsAPieceOfARing) {
     expect_tips_within(chain, volume);
 }
 
-TEST(Volume, ThereIsNoneWithoutEndOrWithoutMotion) {
+TEST(Volume, RejectsUnlimitedRangeAndMachineWithoutMotion) {
     machine::Machine machine =
         machine::load_machine(tests::source_path("samples/machines/router3.toml")).value();
     machine.axes[2].min = -std::numeric_limits<double>::infinity();

@@ -44,7 +44,7 @@ shape = { sphere_mm = 10.0 }
 )";
 
 // The side of the bar meets the ball at 150 mm sin(a) = 5 mm + 5 mm. The angle a is from the bar to the ball.
-TEST_F(AxisGroups, AnIndependentTableHitsTheToolAtItsTime) {
+TEST_F(AxisGroups, IndependentTableHitsToolAtComputedTime) {
     write("bar.toml", kMachine);
     for (const std::string meanwhile : {"F(30) G1{z=3}", "group('table').wait()"}) {
         const std::string script = write("turn.lua", "group('table').move{c=180}\n" + meanwhile + "\n");

@@ -60,7 +60,7 @@ class MachineFrames : public Apps {
     const std::string cell_ = write("cell.toml", kPlate);
 };
 
-TEST_F(MachineFrames, AMovedBaseMeetsThePlateWhenTheTransformSays) {
+TEST_F(MachineFrames, MovedBaseReachesPlateAtComputedTime) {
     EXPECT_NEAR(contact_s("G1{x=280} G1{x=290} G1{x=300}"), 2.945, 1e-6);
     EXPECT_NEAR(contact_s("move_base(120, 0, 0) G1{x=200}"), (294.5 - 120) / 100, 1e-6);
     EXPECT_NEAR(contact_s("G1{x=50} move_base(120, 0, 0) G1{x=200}"), (294.5 - 120) / 100, 1e-6);
@@ -74,12 +74,12 @@ TEST_F(MachineFrames, AMovedBaseMeetsThePlateWhenTheTransformSays) {
 }
 
 // The path to 200 would hit the plate from the base that the later moves have.
-TEST_F(MachineFrames, MovesBeforeAreLookedAtWhereTheMachineStoodThen) {
+TEST_F(MachineFrames, EarlierMovesUseEarlierBase) {
     const std::string part = script("G1{x=200} G1{x=0} move_base(120, 0, 0) G1{x=150} G1{x=0}");
     EXPECT_TRUE(run({part, "--machine", machine_, "--cell", cell_}, 0)["collisions"].empty());
 }
 
-TEST_F(MachineFrames, AnotherTipMovesNoBody) {
+TEST_F(MachineFrames, ChangedTcpMovesNoBody) {
     EXPECT_NEAR(contact_s("rrs.ModifyCellFrame('tool', {{1, 0, 0, 50}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, "
                           "1}}) G1{x=300}"),
                 2.945, 1e-6);
@@ -98,7 +98,7 @@ local before = at()
 )";
 
 // By services and by words, without a cell and in one.
-TEST_F(MachineFrames, TargetsOfServicesAreOfTheChangedFrames) {
+TEST_F(MachineFrames, ServiceTargetsUseChangedFrames) {
     const std::string part = script(std::string(kPoses) + R"(
 local _, tool = rrs.GetCellFrame("tool")
 tool[1][4] = tool[1][4] + 30
@@ -125,7 +125,7 @@ assert(math.abs(joints[1] - (900 - d[1] - 100)) < 1e-6, "from the other base")
     EXPECT_EQ(in_cell["bounds"], standalone["bounds"]);
 }
 
-TEST_F(MachineFrames, AreNotForTheNamesOfCells) {
+TEST_F(MachineFrames, RejectTheirNamesInCells) {
     for (const char* name : {"tool", "base"}) {
         const std::string cell =
             write("named.toml", fmt::format("[cell]\nname = \"c\"\n[[frame]]\nname = \"{}\"\n", name));
@@ -137,7 +137,7 @@ TEST_F(MachineFrames, AreNotForTheNamesOfCells) {
     }
 }
 
-TEST_F(MachineFrames, OfAModuleAreTheModules) {
+TEST_F(MachineFrames, AreForwardedToControllerModule) {
     const std::string body = "move_base(120, 0, 0) G1{x=200}";
     EXPECT_NEAR(contact_s(body, {"--rcs", tests::build_path("lib/test_modules/has_base.so")}),
                 (294.5 - 120) / 100, 0.01);
@@ -154,7 +154,7 @@ G1{x=200}
     EXPECT_TRUE(report["collisions"].empty());
 }
 
-TEST_F(MachineFrames, OfARobotAreItsOwn) {
+TEST_F(MachineFrames, AreSeparateForEachRobot) {
     write("r.toml",
           "[[robot]]\nname = \"left\"\nmachine = \"slides.toml\"\ncell = \"cell.toml\"\n"
           "[[robot]]\nname = \"right\"\nmachine = \"slides.toml\"\ncell = \"cell.toml\"\n");

@@ -44,7 +44,7 @@ std::string gantry_ini() {
     return ini;
 }
 
-TEST_F(MachineImport, AnIniRunsWithItsOffsetsAndTools) {
+TEST_F(MachineImport, RunsIniWithOffsetsAndTools) {
     write("gantry.ini", gantry_ini());
     write("gantry.var", "5221 100\n5222 50\n5230 90\n");
     write("gantry.tbl", "T1 P1 Z20 D6\n");
@@ -60,7 +60,7 @@ TEST_F(MachineImport, AnIniRunsWithItsOffsetsAndTools) {
               "gantry.ini: lines that are not imported: 1; gsim-data import gantry.ini lists them");
 }
 
-TEST_F(MachineImport, ImportWritesAMachineFileThatRunsAsTheIniDoes) {
+TEST_F(MachineImport, ImportedMachineFileRunsLikeIni) {
     write("gantry.ini", gantry_ini());
     write("gantry.var", "5221 100\n5161 7\n");
     write("gantry.tbl", "T1 P1 Z20 D6\n");
@@ -76,7 +76,7 @@ TEST_F(MachineImport, ImportWritesAMachineFileThatRunsAsTheIniDoes) {
     for (const char* key : {"cycle_time_s", "bounds", "length"}) EXPECT_EQ(direct[key], imported[key]) << key;
 }
 
-TEST_F(MachineImport, TablesAloneBecomeMachineData) {
+TEST_F(MachineImport, ConvertsTablesToMachineData) {
     write("mill.tbl", "T3 P3 Z1.5 D0.25\n");
     const Ended tools = gsim_data({"import", "--inch", "mill.tbl", "-o", "tools.txt"});
     EXPECT_EQ(tools.status, 0) << tools.err;
@@ -89,7 +89,7 @@ TEST_F(MachineImport, TablesAloneBecomeMachineData) {
 }
 
 // Of a machine file, for the same diagnostics as of imported settings.
-TEST_F(MachineImport, OldNamesOfKeysAreWarnings) {
+TEST_F(MachineImport, WarnsOfOldKeyNames) {
     write("old.toml",
           read(sample("machines/grbl-router.toml")) + "[calibration]\nruns = 2\nleft_percent = 0.5\n");
     write("part.ngc", "G21 G0 X10\nM2\n");
@@ -103,7 +103,7 @@ TEST_F(MachineImport, OldNamesOfKeysAreWarnings) {
         EXPECT_TRUE(contains(ended.err, "old.toml:") && contains(ended.err, "left_percent")) << ended.err;
 }
 
-TEST_F(MachineImport, WhatGrblAnswersIsAMachine) {
+TEST_F(MachineImport, ReadsGrblSettings) {
     write("router.txt",
           "$11=0.010\n$12=0.002\n$22=0\n$100=250\n$101=250\n$102=250\n$110=6000\n$111=6000\n$112=6000\n$120="
           "1000\n"
@@ -118,7 +118,7 @@ TEST_F(MachineImport, WhatGrblAnswersIsAMachine) {
     EXPECT_EQ(gsim_data({"import", "router.txt", "-o", "router.toml"}).status, 0);
 }
 
-TEST_F(MachineImport, FaultsAreSentences) {
+TEST_F(MachineImport, ReportsInvalidFilesAndCommands) {
     EXPECT_EQ(gsim_data({"import"}).err, "gsim-data: import requires a file: gsim-data import mill.ini\n");
     write("notes.txt", "hello\n");
     EXPECT_EQ(gsim_data({"import", "notes.txt"}).err,
@@ -133,7 +133,7 @@ TEST_F(MachineImport, FaultsAreSentences) {
 
 // Cycle times by the INI file of the recordings are those by the sample machine, which accuracy is measured
 // with.
-TEST_F(MachineImport, RecordedProgramsTakeTheTimesOfTheSample) {
+TEST_F(MachineImport, RecordedProgramsMatchTimesOfSample) {
     const char* folder = std::getenv("GSIM_REFERENCE");
     if (folder == nullptr) GTEST_SKIP() << "no recordings (GSIM_REFERENCE)";
     write("gantry.ini", gantry_ini());

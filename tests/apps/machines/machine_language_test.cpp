@@ -29,7 +29,7 @@ class MachineLanguage : public Apps {
 
 constexpr const char* kNgc = "#<side> = 10\ng1 x#<side> f600\nm2\n";
 
-TEST_F(MachineLanguage, TheDialectIsTheMachines) {
+TEST_F(MachineLanguage, UsesDialectOfMachine) {
     write("part.ngc", kNgc);
     const std::string m = machine("dialect = \"linuxcnc\"\n");
     EXPECT_NEAR(report({"--machine", m, "part.ngc"})["bounds"]["X"]["max"].get<double>(), 10, 1e-9);
@@ -40,7 +40,7 @@ TEST_F(MachineLanguage, TheDialectIsTheMachines) {
 }
 
 // The translator reads that table alone: other content may be for a machine that it does not know.
-TEST_F(MachineLanguage, TranslatingNeedsNoMachine) {
+TEST_F(MachineLanguage, TranslationReadsOnlyProgramTable) {
     write("part.ngc", kNgc);
     write("odd.toml", "robot = { arms = 7 }\n[program]\ndialect = \"rs274ngc\"\n");
     EXPECT_EQ(gcode2lua({"--machine", "odd.toml", "part.ngc"}).status, 0);
@@ -57,7 +57,7 @@ TEST_F(MachineLanguage, TranslatingNeedsNoMachine) {
               "'fanux'; did you mean 'fanuc'?\n");
 }
 
-TEST_F(MachineLanguage, UnitsHoldFromTheStartUntilTheProgramSaysOthers) {
+TEST_F(MachineLanguage, UnitsApplyUntilProgramChangesThem) {
     for (const auto& [dialect, line] : {std::pair{"ab9", "G1 X2 F60\nG21\nX60\nM30\n"},
                                         std::pair{"rs274ngc", "G1 X2 F60\nG21\nX60\nM2\n"}}) {
         write("part.nc", line);
@@ -75,7 +75,7 @@ TEST_F(MachineLanguage, UnitsHoldFromTheStartUntilTheProgramSaysOthers) {
     }
 }
 
-TEST_F(MachineLanguage, ModalStateAtTheStartIsThatOfTheUnits) {
+TEST_F(MachineLanguage, InitialModalStateMatchesUnits) {
     write("part.nc", "G1 X[#4006] F600\nM30\n");
     const json r = report({"--machine", machine("units = \"inch\"\n"), "part.nc"});
     EXPECT_NEAR(r["bounds"]["X"]["max"].get<double>(), 20 * 25.4, 1e-9);
@@ -85,14 +85,14 @@ TEST_F(MachineLanguage, ModalStateAtTheStartIsThatOfTheUnits) {
     EXPECT_NEAR(restored["bounds"]["X"]["max"].get<double>(), 25.4, 1e-9);
 }
 
-TEST_F(MachineLanguage, TheUnitsOfACallerHoldInWhatItCalls) {
+TEST_F(MachineLanguage, CalledProgramInheritsUnits) {
     write("part.nc", "G21\nM98 P2\nM30\n");
     write("O0002.nc", "O2\nG1 X10 F600\nM99\n");
     const json r = report({"--machine", machine("units = \"inch\"\n"), "part.nc"});
     EXPECT_NEAR(r["bounds"]["X"]["max"].get<double>(), 10, 1e-9);
 }
 
-TEST_F(MachineLanguage, NamesOfControlsAreTaken) {
+TEST_F(MachineLanguage, AcceptsControllerNames) {
     write("part.ngc", kNgc);
     EXPECT_EQ(gcode2lua({"--dialect", "LinuxCNC", "part.ngc"}).err, "");
     write("part.nc", "G0 X1\nM30\n");
@@ -107,7 +107,7 @@ TEST_F(MachineLanguage, NamesOfControlsAreTaken) {
     EXPECT_EQ(e.err, "gsim-run: the language of Heidenhain (BEGIN PGM, L X+10 FMAX) is not supported\n");
 }
 
-TEST_F(MachineLanguage, AFailureNamesTheOptionToTry) {
+TEST_F(MachineLanguage, ErrorSuggestsDialectOption) {
     write("part.nc", "G0 X1\no100 sub\no100 endsub\n");
     for (const Ended& e : {gsim_run({"part.nc"}), gcode2lua({"part.nc"})}) {
         EXPECT_EQ(e.status, 1);
@@ -118,7 +118,7 @@ TEST_F(MachineLanguage, AFailureNamesTheOptionToTry) {
     EXPECT_FALSE(contains(gcode2lua({write("ok.nc", "G0 X1 (o100 sub)\n")}).err, "note"));
 }
 
-TEST_F(MachineLanguage, AProgramInInchesReadAsMmIsWarnedOf) {
+TEST_F(MachineLanguage, WarnsOfInchProgramReadAsMm) {
     write("haas.nc", "G0 X1.125 Y-.375\nZ.1\nG1 Z-.2501 F10.\nX2.4375 F45.\nM30\n");
     const Ended e = gcode2lua({"haas.nc"});
     EXPECT_EQ(e.status, 0);
@@ -132,7 +132,7 @@ TEST_F(MachineLanguage, AProgramInInchesReadAsMmIsWarnedOf) {
         report({"--machine", machine("units = \"inch\"\n"), "haas.nc"})["diagnostics"].dump(), "inches"));
 }
 
-TEST_F(MachineLanguage, TheTableIsPrintedAndReadBack) {
+TEST_F(MachineLanguage, PrintsAndReadsProgramTable) {
     const std::string m = machine("dialect = \"haas\"\nunits = \"inch\"\n");
     const Ended e = gsim_run({"--machine", m, "--print-machine"});
     EXPECT_TRUE(contains(e.out, "[program]\ndialect = \"haas\"\nunits = \"inch\"\n")) << e.out;

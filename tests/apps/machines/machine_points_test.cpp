@@ -66,7 +66,7 @@ const char* const kCut = R"({"position_mm": [10, 40, -35], "feed_mm_min": 1000},
 
 // The moves are up, across, down; from there up again before the rapid to the work. The cut is where it would
 // be without the points.
-TEST_F(MachinePoints, EachPostLeadsThereAndBack) {
+TEST_F(MachinePoints, EachPostMovesToPointAndBack) {
     path(std::string(kStart) + kCut + R"({"fixed": "park", "dwell_s": 0.5},)" + kStart + kCut +
          R"({"fixed": 7})");
     write("d.txt", kRouterData);
@@ -87,7 +87,7 @@ TEST_F(MachinePoints, EachPostLeadsThereAndBack) {
 }
 
 // The first point is up already, so Z moves first; the second one is below the path there.
-TEST_F(MachinePoints, ReferencePointsByTheWordsOfEachControl) {
+TEST_F(MachinePoints, EachPostWritesReferencePoints) {
     path(R"({"reference": 1},)" + std::string(kStart) + kCut + R"({"reference": 2, "actions": ["stop"]},)" +
          kStart + R"({"position_mm": [10, 40, -35]})");
     write("d.txt", kRouterData);
@@ -118,7 +118,7 @@ TEST_F(MachinePoints, ReferencePointsByTheWordsOfEachControl) {
 
 // The tool is tilted at the point, and the plan continues from there: by the short path, not from the earlier
 // position.
-TEST_F(MachinePoints, RotaryAxesStandWhereThePointHasThem) {
+TEST_F(MachinePoints, RotaryAxesTakeValuesOfPoint) {
     path(R"({"motion": "rapid", "position_mm": [10, 20, 30], "rotary_deg": {"B": 0, "C": 0}},
             {"position_mm": [10, 40, 30], "feed_mm_min": 1000}, {"fixed": "CLAMP1"},
             {"motion": "rapid", "position_mm": [10, 20, 30], "rotary_deg": {"B": -170}},
@@ -154,7 +154,7 @@ TEST_F(MachinePoints, RotaryAxesStandWhereThePointHasThem) {
 
 // On a machine with a TCP that swings as its axes turn, pending lines are written before the path to the
 // point.
-TEST_F(MachinePoints, AMachineWhoseTipSwingsGoesThereToo) {
+TEST_F(MachinePoints, TiltingTableMachineReachesPoint) {
     const std::string machine = tests::source_path("samples/machines/mill-table-table.toml");
     path(R"({"motion": "rapid", "position_mm": [10, 10, 20], "rotary_deg": {"A": 0, "C": 0}},
             {"position_mm": [20, 10, 20], "feed_mm_min": 500, "rotary_deg": {"A": 10, "C": 20}}, {"fixed": 1},
@@ -173,7 +173,7 @@ TEST_F(MachinePoints, AMachineWhoseTipSwingsGoesThereToo) {
     EXPECT_EQ(moves.back().second, (there - 3)->second) << "the line ends where it did before";
 }
 
-TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
+TEST_F(MachinePoints, RejectsUnknownAndUnsupportedPoints) {
     const std::string data = write("d.txt", kRouterData);
     const auto of_router = [&](std::vector<std::string> options) {
         options.insert(options.end(), {"p.path.json", "--machine", kRouter});
@@ -209,7 +209,7 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
 }
 
 // Those of the machine data are named, as fixed points are; numbers are the controller's own.
-TEST_F(MachinePoints, ReferencePointsOfTheMachineDataByTheirNames) {
+TEST_F(MachinePoints, FindsReferencePointsByName) {
     const std::string data = write(
         "d.txt", "NCFILE\nFIXED\n1 1 1 -1 NAME=DOCK\nREFERENCE\n2 70 80 -25 NAME=Dock\n3 1 2 3\nENDFILE\n");
     path(std::string(kStart) + R"({"reference": "DOCK"})");
@@ -227,7 +227,7 @@ TEST_F(MachinePoints, ReferencePointsOfTheMachineDataByTheirNames) {
 }
 
 // Only the controller may know where a reference point lies.
-TEST_F(MachinePoints, AReferencePointThatNobodyKnowsIsNoted) {
+TEST_F(MachinePoints, ReportsUndefinedReferencePoint) {
     path(std::string(kStart) + R"({"reference": 4})");
     const Ended ended = path2gcode({"p.path.json", "--machine", kRouter, "--dialect", "fanuc", "-o", "o.nc"});
     EXPECT_EQ(ended.status, 0);
@@ -237,7 +237,7 @@ TEST_F(MachinePoints, AReferencePointThatNobodyKnowsIsNoted) {
     EXPECT_TRUE(contains(read("o.nc"), "G91 G30 P4 Z0.\nN50 G91 G30 P4 X0. Y0.\nN60 G90\n")) << read("o.nc");
 }
 
-TEST_F(MachinePoints, TheJetIsOffOnTheWayAndTheToolSaidAgainBehindATurn) {
+TEST_F(MachinePoints, RejectsProcessOnAndMissingOrientation) {
     const std::string data =
         write("d.txt", "NCFILE\nFIXED\n1 100 50 300\n2 100 50 300 30\n3 100 50 300 30 40\nENDFILE\n");
     const std::string start = R"({"motion": "rapid", "position_mm": [10, 20, 30], "tool_axis": [0, 0, 1],
@@ -262,7 +262,7 @@ TEST_F(MachinePoints, TheJetIsOffOnTheWayAndTheToolSaidAgainBehindATurn) {
 }
 
 // A path may begin while the axes' orientation is not known yet; it is known from its first point on.
-TEST_F(MachinePoints, APathMayBeginAtOne) {
+TEST_F(MachinePoints, PathCanBeginAtPoint) {
     const std::string data = write("d.txt", "NCFILE\nFIXED\n1 100 50 300\nENDFILE\n");
     path(R"({"fixed": 1}, {"path": "q"}, {"fixed": 1})", "",
          R"(, {"name": "q", "targets": [{"fixed": 1}, {"motion": "rapid", "position_mm": [10, 20, 30],
@@ -273,7 +273,7 @@ TEST_F(MachinePoints, APathMayBeginAtOne) {
     EXPECT_EQ(moves[2].second, at(100, 50, 300, 0, 0)) << "as it stood";
 }
 
-TEST_F(MachinePoints, ScriptsBuildThem) {
+TEST_F(MachinePoints, ScriptsCreatePoints) {
     write("d.txt", kRouterData);
     write("s.path.lua",
           "return path{name = 's', point{motion = 'rapid', position_mm = {10, 20, -30}}, point{fixed = "

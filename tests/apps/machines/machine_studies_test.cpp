@@ -14,7 +14,7 @@ class MachineStudies : public Apps {
     static std::string sample(const std::string& name) { return tests::source_path("samples/") + name; }
 };
 
-TEST_F(MachineStudies, AnArmThatCanTouchItselfIsStatusOne) {
+TEST_F(MachineStudies, SelfCollidingArmReturnsStatusOne) {
     const Ended e = gsim_run({"--check-machine", sample("machines/arm6.toml"), "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
     const auto json = text::parse_json<nlohmann::json>(e.out);
@@ -23,13 +23,13 @@ TEST_F(MachineStudies, AnArmThatCanTouchItselfIsStatusOne) {
     EXPECT_EQ(gsim_run({"--check-machine", sample("machines/arm6.toml"), "--quiet"}).out, "");
 }
 
-TEST_F(MachineStudies, ARouterIsClean) {
+TEST_F(MachineStudies, RouterHasNoErrors) {
     const Ended e = gsim_run({"--check-machine", sample("machines/router3.toml")});
     EXPECT_EQ(e.status, 0) << e.err;
     EXPECT_TRUE(contains(e.out, "clean: no errors found")) << e.out;
 }
 
-TEST_F(MachineStudies, ObjectsOfACellAreLookedAt) {
+TEST_F(MachineStudies, ChecksObjectsOfCell) {
     const std::string cell =
         write("vice.toml",
               "[cell]\nname = \"vice\"\n"
@@ -40,7 +40,7 @@ TEST_F(MachineStudies, ObjectsOfACellAreLookedAt) {
     EXPECT_TRUE(contains(e.out, "cutter and jaw")) << e.out;
 }
 
-TEST_F(MachineStudies, FaultsOfFilesAndOptionsAreUsage) {
+TEST_F(MachineStudies, ReportsFileAndOptionErrorsAsUsageErrors) {
     const Ended e = gsim_run({"--check-machine", write("bad.toml", "[machine]\nname = 3\n")});
     EXPECT_EQ(e.status, 2);
     EXPECT_TRUE(contains(e.err, "bad.toml:2:8: 'name' must be a string")) << e.err;
@@ -54,7 +54,7 @@ TEST_F(MachineStudies, FaultsOfFilesAndOptionsAreUsage) {
     EXPECT_FALSE(exists("out.stl"));
 }
 
-TEST_F(MachineStudies, EnvelopesGoToFilesByTheirEndings) {
+TEST_F(MachineStudies, EnvelopeFormatFollowsFileExtension) {
     const Ended e = gsim_run({"--machine", sample("machines/router3.toml"), "--envelope", "out.stl",
                               "--envelope", "out.csv", "--envelope", "out.svg"});
     EXPECT_EQ(e.status, 0) << e.err;
@@ -64,7 +64,7 @@ TEST_F(MachineStudies, EnvelopesGoToFilesByTheirEndings) {
     EXPECT_TRUE(contains(read("out.svg"), "X to the right, Y up")) << read("out.svg");
 }
 
-TEST_F(MachineStudies, ThePictureOfTheAxesGoesToAFile) {
+TEST_F(MachineStudies, WritesAxisPicture) {
     const Ended e = gsim_run({"--machine", sample("machines/router3.toml"), "--draw-axes", "axes.svg"});
     EXPECT_EQ(e.status, 0) << e.err;
     EXPECT_TRUE(contains(read("axes.svg"), "+Y moves the tool to the back (+y)")) << read("axes.svg");
@@ -74,7 +74,7 @@ TEST_F(MachineStudies, ThePictureOfTheAxesGoesToAFile) {
         << bad.err;
 }
 
-TEST_F(MachineStudies, OptionsOfARunDoNotGoWithThem) {
+TEST_F(MachineStudies, RejectsRunOptions) {
     for (const std::string option : {"--moves", "--plot", "--report", "--record"}) {
         const Ended e = gsim_run({"--check-machine", sample("machines/router3.toml"), option, "file"});
         EXPECT_EQ(e.status, 2);

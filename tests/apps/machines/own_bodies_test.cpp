@@ -25,7 +25,7 @@ on = "Z"
 shape = { box_mm = [60.0, 60.0, 60.0] }
 )";
 
-class OwnBodies : public Apps {
+class BodiesOfMachine : public Apps {
   protected:
     std::string machine(const std::string& bodies, const std::string& head = {}) const {
         return write("machine.toml", head + "\n" + slides("router with a table") + bodies);
@@ -40,7 +40,7 @@ class OwnBodies : public Apps {
     const std::string part_ = write("part.nc", "G1 X100 F6000\nG1 Z-80\nG1 Z0\nM2\n");
 };
 
-TEST_F(OwnBodies, AreLookedAtWithoutACellAsInOne) {
+TEST_F(BodiesOfMachine, AreCheckedWithAndWithoutCell) {
     const std::string machine_file = machine(kBodies);
     const json report = run({part_, "--machine", machine_file}, 1);
     ASSERT_EQ(report["collisions"].size(), 1U);
@@ -53,7 +53,7 @@ TEST_F(OwnBodies, AreLookedAtWithoutACellAsInOne) {
     EXPECT_EQ(in_cell["collisions"], report["collisions"]);
 }
 
-TEST_F(OwnBodies, AreToldByAReportForPeopleAndByGsimCheck) {
+TEST_F(BodiesOfMachine, AreReportedInTextAndByCheck) {
     const std::string machine_file = machine(kBodies);
     EXPECT_TRUE(contains(gsim_run({part_, "--machine", machine_file}).out, "head and table"));
     const Ended quiet = gsim_run({part_, "--machine", machine_file, "--quiet"});
@@ -65,7 +65,7 @@ TEST_F(OwnBodies, AreToldByAReportForPeopleAndByGsimCheck) {
         << checked.out;
 }
 
-TEST_F(OwnBodies, AreLeftOutWhereTheUserSaysSo) {
+TEST_F(BodiesOfMachine, AreIgnoredOnRequest) {
     const std::string machine_file = machine(kBodies);
     const json report = run({part_, "--machine", machine_file, "--no-collisions"}, 0);
     EXPECT_FALSE(report.contains("cell"));
@@ -82,16 +82,16 @@ TEST_F(OwnBodies, AreLeftOutWhereTheUserSaysSo) {
     EXPECT_EQ(gsim_run({"--check-machine", machine_file, "--no-collisions"}).status, 0);
 }
 
-TEST_F(OwnBodies, MayTouchWhereTheMachineSaysSo) {
+TEST_F(BodiesOfMachine, MayTouchIfPairIsIgnored) {
     const std::string machine_file = machine(kBodies, "ignore = [[\"head\", \"table\"]]");
     EXPECT_TRUE(run({part_, "--machine", machine_file}, 0)["collisions"].empty());
 }
 
-TEST_F(OwnBodies, ThatAreNotThereTakeNothing) {
+TEST_F(BodiesOfMachine, AddNoCellToReportIfMissing) {
     EXPECT_FALSE(run({part_, "--machine", machine("")}, 0).contains("cell"));
 }
 
-TEST_F(OwnBodies, OfRobotsAreLookedAt) {
+TEST_F(BodiesOfMachine, AreCheckedForRobots) {
     machine(kBodies);
     write("r.toml", "[[robot]]\nname = \"left\"\nmachine = \"machine.toml\"\n[[robot]]\nname = \"right\"\n");
     const std::string part =
@@ -103,7 +103,7 @@ TEST_F(OwnBodies, OfRobotsAreLookedAt) {
     EXPECT_FALSE(run({"--robots", "r.toml", part, "--no-collisions"}, 0)["robots"][0].contains("collisions"));
 }
 
-TEST_F(OwnBodies, WhoseMeshCannotBeReadAreNamed) {
+TEST_F(BodiesOfMachine, ReportUnreadableMesh) {
     write("head.stl", "solid head\nfacet normal 0 0 1\n");
     const std::string machine_file =
         machine("[[shape]]\nname = \"head\"\non = \"Z\"\nshape = { mesh = \"head.stl\" }\n");
@@ -115,7 +115,7 @@ TEST_F(OwnBodies, WhoseMeshCannotBeReadAreNamed) {
 }
 
 // The program that reads such files is searched for next to the running one.
-TEST_F(OwnBodies, OfSolidsAreNamedWhereNothingReadsThem) {
+TEST_F(BodiesOfMachine, ReportSolidWithoutReader) {
     write("head.step", "ISO-10303-21;\n");
     const std::string machine_file =
         machine("[[shape]]\nname = \"head\"\non = \"Z\"\nshape = { mesh = \"head.step\" }\n");
@@ -132,7 +132,7 @@ TEST_F(OwnBodies, OfSolidsAreNamedWhereNothingReadsThem) {
 }
 
 // A probe is to touch the work, which no file describes.
-TEST_F(OwnBodies, AreNotFeltByAProbeWithoutACell) {
+TEST_F(BodiesOfMachine, DoNotStopProbeWithoutCell) {
     const std::string part = write("probe.ngc", "G38.2 Z-50 F600\n(debug,#5070)\nG0 Z0\nM2\n");
     const json report = run({part, "--machine", machine(kBodies), "--dialect", "rs274ngc"}, 0);
     EXPECT_NEAR(report["bounds"]["Z"]["min"].get<double>(), -50, 1e-9);

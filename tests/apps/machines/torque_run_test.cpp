@@ -85,7 +85,7 @@ std::string dome() {
     return text;
 }
 
-TEST_F(TorqueRun, NoMotorIsAskedForMoreThanItsPeakUnderTheTip) {
+TEST_F(TorqueRun, LimitsMotorsToPeakUnderTcpControl) {
     write("dome.nc", dome());
     write("turns.toml", kTurns);
     for (const std::string controller : {"exact-stop", "ab9", "blend"}) {

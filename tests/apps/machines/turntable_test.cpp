@@ -49,7 +49,7 @@ std::vector<Sample> samples_of(const std::string& csv) {
 }
 
 // A point of the table has the speed that its distance from the axis gives it, and the axis decides how soon.
-TEST_F(Turntable, EachQuarterTakesWhatGeometrySays) {
+TEST_F(Turntable, EachQuarterTakesComputedTime) {
     const Ended e = gsim_run(on_the_table({"--moves", "moves.jsonl", "--quiet"}));
     ASSERT_EQ(e.status, 0) << e.err;
     std::istringstream moves(read("moves.jsonl"));
@@ -66,7 +66,7 @@ TEST_F(Turntable, EachQuarterTakesWhatGeometrySays) {
     EXPECT_EQ(quarters, 4);
 }
 
-TEST_F(Turntable, ThePointUnderTheToolHasTheFeedAndTheToolStands) {
+TEST_F(Turntable, PointUnderStationaryToolMovesAtFeed) {
     ASSERT_EQ(gsim_run(on_the_table({"--trajectory", "t.csv", "--step", "0.001", "--quiet"})).status, 0);
     const std::vector<Sample> all = samples_of(read("t.csv"));
     int at_speed = 0;

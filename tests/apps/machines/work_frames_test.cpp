@@ -63,7 +63,7 @@ class WorkFrames : public Apps {
 };
 
 // The same path is shifted by the offset, whatever has set it.
-TEST_F(WorkFrames, APathLiesWhereItsFrameDoes) {
+TEST_F(WorkFrames, PathIsShiftedByItsFrame) {
     for (const std::string dialect : {"ab9", "fanuc", "rs274ngc", "grbl"}) {
         const std::string run_dialect = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
         const json plain = driven(written(dialect, {part()}), run_dialect);
@@ -85,7 +85,7 @@ TEST_F(WorkFrames, APathLiesWhereItsFrameDoes) {
 }
 
 // Numbers are those of the path, words those of each controller, and no setting remains after the program.
-TEST_F(WorkFrames, EachControlSaysItInItsWords) {
+TEST_F(WorkFrames, EachPostWritesItsWords) {
     const std::vector<std::string> options = {part(), "--work-offset", "G55", "--set-offset", "100", "50",
                                               "0",    "--tool",        "3"};
     EXPECT_EQ(
@@ -106,7 +106,7 @@ TEST_F(WorkFrames, EachControlSaysItInItsWords) {
 }
 
 // A tool that is longer by 4 mm keeps its TCP on the path: Z is 4 mm higher, except on the move up.
-TEST_F(WorkFrames, TheLengthOfTheToolCounts) {
+TEST_F(WorkFrames, ToolLengthShiftsPath) {
     for (const std::string dialect : {"ab9", "rs274ngc"}) {
         const std::string program = written(dialect, {part(), "--work-offset", "G55", "--tool", "3"});
         const std::string offsets = "55 100 50 0";
@@ -116,7 +116,7 @@ TEST_F(WorkFrames, TheLengthOfTheToolCounts) {
     }
 }
 
-TEST_F(WorkFrames, OnePartOnTwoFixtures) {
+TEST_F(WorkFrames, CutsOnePartOnTwoFixtures) {
     part();
     write("job.path.json", R"json({"root": "job", "paths": [
         {"name": "job", "targets": [{"path": "part", "work_offset": "G55", "set_offset_mm": [100, 50, -20]},
@@ -133,7 +133,7 @@ TEST_F(WorkFrames, OnePartOnTwoFixtures) {
 }
 
 // Written, run, recorded and written again: the same moves; from then on the same text.
-TEST_F(WorkFrames, ARecordedRunKeepsFrameAndTool) {
+TEST_F(WorkFrames, RecordedRunKeepsFrameAndTool) {
     const std::string offsets = "54 1 2 3\n55 100 50 0";
     for (const std::string dialect : {"ab9", "rs274ngc"}) {
         const std::vector<std::string> options = {"--machine-data", data(offsets, "3 0 6"), "--record",
@@ -151,7 +151,7 @@ TEST_F(WorkFrames, ARecordedRunKeepsFrameAndTool) {
 }
 
 // The run reports what the recorded path does not show as it was.
-TEST_F(WorkFrames, ARecordingSaysWhatItHasInItsNumbers) {
+TEST_F(WorkFrames, RecordingReportsIncludedOffsets) {
     for (const std::string dialect : {"ab9", "rs274ngc"}) {
         const auto notes = [&](std::vector<std::string> options, const std::string& tools) {
             options.insert(options.begin(), part());
@@ -173,7 +173,7 @@ TEST_F(WorkFrames, ARecordingSaysWhatItHasInItsNumbers) {
     }
 }
 
-TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
+TEST_F(WorkFrames, RejectsUnsupportedFramesAndTools) {
     const auto rejected = [this](std::vector<std::string> options, int status = 1) {
         options.insert(options.begin(), part());
         const Ended ended = path2gcode(options);
@@ -207,13 +207,13 @@ TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
               "at its points\n");
 }
 
-TEST_F(WorkFrames, WhatIsNotLookedAtIsSaid) {
+TEST_F(WorkFrames, ReportsUncheckedRanges) {
     EXPECT_EQ(
         path2gcode({part(), "--work-offset", "G55", "-o", "o.nc"}).err,
         "note: the path does not define the position of G55, so the ranges of X, Y and Z are not checked\n");
 }
 
-TEST_F(WorkFrames, LinuxCncReadsIt) {
+TEST_F(WorkFrames, LinuxCncReadsProgram) {
     if (!has_rs274()) GTEST_SKIP() << "LinuxCNC's rs274 is not installed";
     write("c.ngc", written("rs274ngc", {part(), "--work-offset", "G55", "--set-offset", "100", "50", "0"}));
     const Ended canon = run_rs274(folder_, "c.ngc");

@@ -15,7 +15,7 @@ namespace gsim::apps::belt_test {
 namespace {
 
 using nlohmann::json;
-using Belt = Apps;
+using ConveyorTracking = Apps;
 
 // The conveyor and the right gantry, 1000 mm further on (robots.toml, router3.toml).
 constexpr double kBelt_mm_s = 20;
@@ -83,7 +83,7 @@ std::vector<std::string> sample(std::vector<std::string> more) {
     return more;
 }
 
-TEST_F(Belt, EachBlankIsCaughtAndEngravedAtItsTime) {
+TEST_F(ConveyorTracking, EngravesEachBlankAtComputedTime) {
     const Ended ended = gsim_run(sample({"--moves", "m.jsonl"}));
     ASSERT_EQ(ended.status, 0) << ended.err;
     const BeltRun run(ended);
@@ -108,7 +108,7 @@ TEST_F(Belt, EachBlankIsCaughtAndEngravedAtItsTime) {
 
 // In the world the blank has moved as far as the belt since it was laid. On the blank the tool moves from
 // standstill to standstill.
-TEST_F(Belt, TheToolIsWhereItShouldBeOnTheBlankAtEachInstant) {
+TEST_F(ConveyorTracking, ToolFollowsStrokesOnMovingBlank) {
     const Ended ended = gsim_run(sample({"--trajectory", "t.csv", "--step", "0.01"}));
     ASSERT_EQ(ended.status, 0) << ended.err;
     const BeltRun run(ended);

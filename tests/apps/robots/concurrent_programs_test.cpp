@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-class ProgramsBeside : public Apps {
+class CalledProgramFiles : public Apps {
   protected:
     json report(const std::string& name) {
         const Ended e = gsim_run({name, "--json"});
@@ -24,7 +24,7 @@ class ProgramsBeside : public Apps {
     const std::string main_ = write("wheel.nc", "O1\nM98 P2\nM2\n");
 };
 
-TEST_F(ProgramsBeside, ByNumber) {
+TEST_F(CalledProgramFiles, AreFoundByNumber) {
     for (const char* name : {"O0002", "O2", "O0002.NC", "O0002.nc", "O2.nc", "O0002.ngc", "O0002.tap",
                              "wheel_O0002.ppg", "wheel_O0002.nc"}) {
         SCOPED_TRACE(name);
@@ -34,38 +34,38 @@ TEST_F(ProgramsBeside, ByNumber) {
     }
 }
 
-TEST_F(ProgramsBeside, WithoutANumberInside) {
+TEST_F(CalledProgramFiles, MayOmitProgramNumber) {
     write("O0002.nc", "G0 X20\n");
     EXPECT_DOUBLE_EQ(reached(main_), 20);
 }
 
-TEST_F(ProgramsBeside, AScript) {
+TEST_F(CalledProgramFiles, MayBeScripts) {
     write("O0002.lua", "program(2, function() G0{x=30.0} end)\n");
     EXPECT_DOUBLE_EQ(reached(main_), 30);
     write("O0002.lua", gcode2lua({write("two.nc", "O2\nG0 X40\nM99\n")}).out);
     EXPECT_DOUBLE_EQ(reached(main_), 40);
 }
 
-TEST_F(ProgramsBeside, OfANumberedMainProgram) {
+TEST_F(CalledProgramFiles, AreFoundForNumberedMainProgram) {
     write("part_O0001.ppg", "O1\nM98 P3\nM2\n");
     write("part_O0003.ppg", "O3\nG0 X50\nM99\n");
     EXPECT_DOUBLE_EQ(reached("part_O0001.ppg"), 50);
 }
 
-TEST_F(ProgramsBeside, InTheFolderOfTheMainOne) {
+TEST_F(CalledProgramFiles, AreFoundInFolderOfMainProgram) {
     write("sub/main.nc", "O1\nM98 P2\nM2\n");
     write("sub/O0002.nc", "O2\nG0 X60\nM99\n");
     write("O0002.nc", "O2\nG0 X70\nM99\n");
     EXPECT_DOUBLE_EQ(reached("sub/main.nc"), 60);
 }
 
-TEST_F(ProgramsBeside, OneCallsTheNext) {
+TEST_F(CalledProgramFiles, MayCallOtherFiles) {
     write("O0002.nc", "O2\nM98 P3 L2\nM99\n");
     write("O0003.nc", "O3\nG91 G0 X5\nG90\nM99\n");
     EXPECT_DOUBLE_EQ(reached(main_), 10);
 }
 
-TEST_F(ProgramsBeside, AlarmsNameTheirFile) {
+TEST_F(CalledProgramFiles, AlarmsNameTheirFile) {
     write("O0002.nc", "O2\n\nG0 X-1\nM99\n");
     const json r = text::parse_json<json>(gsim_run({main_, "--json", "--stop-at-first"}).out);
     EXPECT_EQ(r["alarm"]["line"], 3);
@@ -73,7 +73,7 @@ TEST_F(ProgramsBeside, AlarmsNameTheirFile) {
     EXPECT_TRUE(contains(report(main_)["violations"][0]["file"], "O0002.nc"));
 }
 
-TEST_F(ProgramsBeside, ThoseWithErrorsAreAlarmsOfTheCall) {
+TEST_F(CalledProgramFiles, ErrorsRaiseAlarmAtCall) {
     write("O0002.nc", "O2\nG999\nM99\n");
     const Ended e = gsim_run({main_, "--json"});
     EXPECT_EQ(e.status, 1);
@@ -87,7 +87,7 @@ TEST_F(ProgramsBeside, ThoseWithErrorsAreAlarmsOfTheCall) {
     EXPECT_TRUE(contains(gsim_run({main_}).err, "O0002.nc:2:"));
 }
 
-TEST_F(ProgramsBeside, AMissingOneIsAnAlarmAndAWarningOfTheTranslator) {
+TEST_F(CalledProgramFiles, MissingFileRaisesAlarmAndTranslatorWarns) {
     EXPECT_EQ(report(main_)["alarm"]["line"], 2);
     const Ended e = gcode2lua({main_});
     EXPECT_EQ(e.status, 0);
@@ -97,7 +97,7 @@ TEST_F(ProgramsBeside, AMissingOneIsAnAlarmAndAWarningOfTheTranslator) {
     EXPECT_EQ(report(main_)["status"], "alarm");
 }
 
-TEST_F(ProgramsBeside, ThemselvesAgainEndAtTheNestingLimit) {
+TEST_F(CalledProgramFiles, RecursionEndsAtNestingLimit) {
     write("O0002.nc", "O2\nM98 P2\nM99\n");
     EXPECT_TRUE(contains(report(main_)["alarm"]["message"], "nested"));
 }

@@ -9,7 +9,7 @@ namespace {
 using nlohmann::json;
 
 // x = v (t - v / 2a) of each, from its start: the balls touch if both distances together are 700 - 40 mm.
-TEST_F(TwoSlides, MeetAtTheSameTimeInBothPrograms) {
+TEST_F(TwoSlides, CollideAtSameTimeInBothPrograms) {
     const Ended e = meet(0);
     EXPECT_EQ(e.status, 1) << e.err;
     const json robots = text::parse_json<json>(e.out)["robots"];
@@ -30,12 +30,12 @@ TEST_F(TwoSlides, MeetAtTheSameTimeInBothPrograms) {
     EXPECT_EQ(meet(0, {"--no-collisions"}).status, 0);
 }
 
-TEST_F(TwoSlides, PassEachOtherAtADistance) {
+TEST_F(TwoSlides, PassEachOtherAtDistance) {
     EXPECT_EQ(meet(40.001).status, 0);
     EXPECT_EQ(meet(39.999).status, 1);
 }
 
-TEST_F(TwoSlides, InTheSamePlaceAreNotLookedAt) {
+TEST_F(TwoSlides, AreNotCheckedAtSameBasePosition) {
     write("slide.toml", kSlide);
     write("same.toml",
           "[[robot]]\nname = \"left\"\nmachine = \"slide.toml\"\n"
@@ -50,7 +50,7 @@ TEST_F(TwoSlides, InTheSamePlaceAreNotLookedAt) {
 
 // A program that its own process runs far ahead is checked all the same, and a body that it hits is at
 // standstill there.
-TEST_F(TwoSlides, AreLookedAtHoweverFarOneRunsAhead) {
+TEST_F(TwoSlides, AreCheckedIfOneRunsFarAhead) {
     meet(0);
     std::string program = "G21 G90 F6000\n";
     for (int pass = 0; pass < 20'000; ++pass) program += "G1 X1\nG1 X0\n";
@@ -70,7 +70,7 @@ TEST_F(TwoSlides, AreLookedAtHoweverFarOneRunsAhead) {
 }
 
 // The motion that a process has planned to its end is checked, even if the other one's clock is ahead of it.
-TEST_F(TwoSlides, AreLookedAtWhereAProcessHasEnded) {
+TEST_F(TwoSlides, AreCheckedAfterProcessEnds) {
     meet(0);
     write("ended.lua",
           "process('l', function() local _ENV = robot 'left' G0{x=200} wait(30) end)\n"
@@ -88,7 +88,7 @@ TEST_F(TwoSlides, AreLookedAtWhereAProcessHasEnded) {
 
 // The motion of a robot next to a conveyor is checked only after the simultaneous motion of the conveyor is
 // known.
-TEST_F(TwoSlides, AreLookedAtBesideAConveyor) {
+TEST_F(TwoSlides, AreCheckedNextToConveyor) {
     write("slide.toml", kSlide);
     write("belt_cell.toml",
           "[cell]\nname = \"belt\"\n[[object]]\nname = \"blank\"\nshape = { sphere_mm = 10.0 }\n"

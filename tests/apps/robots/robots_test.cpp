@@ -32,7 +32,7 @@ class Robots : public Apps {
     }
 };
 
-TEST_F(Robots, TheSampleGivesTheSameReportEachTime) {
+TEST_F(Robots, SampleGivesSameReportEachTime) {
     const Ended first = run_sample({"--json", "--moves", "m.jsonl", "--trajectory", "t.csv"});
     ASSERT_EQ(first.status, 0) << first.err << first.out;
     const std::string left = read("m.left.jsonl");
@@ -51,7 +51,7 @@ TEST_F(Robots, TheSampleGivesTheSameReportEachTime) {
     EXPECT_TRUE(contains(run_sample({}).out, "--- robot right"));
 }
 
-TEST_F(Robots, EachIsRecordedInAPathOfItsOwn) {
+TEST_F(Robots, EachIsRecordedInSeparatePath) {
     write("two.toml", "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\n");
     write("two.lua",
           "process('l', function() local _ENV = robot 'left' F(600) G1{x=10} end)\n"
@@ -68,7 +68,7 @@ TEST_F(Robots, EachIsRecordedInAPathOfItsOwn) {
     EXPECT_TRUE(contains(sample.err, "no path is recorded: the program tracks a conveyor")) << sample.err;
 }
 
-TEST_F(Robots, ReportSettingsThatAreNotImported) {
+TEST_F(Robots, ReportSettingsNotImported) {
     write("mill.ini",
           "[EMC]\nMACHINE = mill\n[KINS]\nKINEMATICS = trivkins coordinates=X\nJOINTS = 1\n[TRAJ]\n"
           "COORDINATES = X\nLINEAR_UNITS = mm\nMAX_LINEAR_VELOCITY = 100\n[HAL]\nHALFILE = a.hal\n[AXIS_X]\n"
@@ -79,7 +79,7 @@ TEST_F(Robots, ReportSettingsThatAreNotImported) {
     EXPECT_TRUE(contains(ended.err, "lines that are not imported")) << ended.err;
 }
 
-TEST_F(Robots, EachHasItsOwnWordsAndClock) {
+TEST_F(Robots, EachHasSeparateModalStateAndClock) {
     write("right.ngc", "o<hop> sub\nG91 G0 X[#1]\no<hop> endsub\no<hop> call [30]\nM2\n");
     const json report =
         run("local l = robot 'left'\n"
@@ -93,7 +93,7 @@ TEST_F(Robots, EachHasItsOwnWordsAndClock) {
     EXPECT_EQ(report["cycle_time_s"], report["robots"][1]["cycle_time_s"]);
 }
 
-TEST_F(Robots, AConveyorIsFollowed) {
+TEST_F(Robots, FollowConveyor) {
     const json report =
         run("local belt = conveyor 'belt'\n"
             "process('r', function() local _ENV = robot 'right' F(6000)\n"
@@ -108,7 +108,7 @@ TEST_F(Robots, AConveyorIsFollowed) {
 
 // A plate on the belt comes 500 mm towards the left robot, at 50 mm/s and from 2 s on at 25, while that one
 // has long planned its move.
-TEST_F(Robots, WhatRidesOnAConveyorHitsARobotAtItsTime) {
+TEST_F(Robots, BodyOnConveyorHitsRobotAtRightTime) {
     write("cell.toml", R"([cell]
 name = "belt"
 [[object]]
@@ -145,7 +145,7 @@ shape = { sphere_mm = 10.0 }
 
 // Rapids of 250 mm, feed moves of 100 mm, from standstill to standstill: d / v + v / a; and half a second at
 // the fixture.
-TEST_F(Robots, TheSampleOfTwoSlidesTakesTurns) {
+TEST_F(Robots, SlidesOfSampleTakeTurns) {
     const Ended e = gsim_run({"--robots", kSample + "slides.toml", kSample + "slides.lua", "--json"});
     ASSERT_EQ(e.status, 0) << e.err;
     const json report = text::parse_json<json>(e.out);
@@ -158,7 +158,7 @@ TEST_F(Robots, TheSampleOfTwoSlidesTakesTurns) {
     EXPECT_EQ(report["robots"][1]["cell"]["checked"]["with_robots"], 1);
 }
 
-TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
+TEST_F(Robots, AlarmOfOneEndsRun) {
     const json report =
         run("process('l', function() local _ENV = robot 'left' wait(1)\nG1{x=9} end)\n"
             "process('r', function() local _ENV = robot 'right' for i = 1, 100 do wait(1) end end)\n");
@@ -173,7 +173,7 @@ TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
         "cannot change"));
 }
 
-TEST_F(Robots, WhatDoesNotGoTogetherIsSaid) {
+TEST_F(Robots, RejectIncompatibleOptionsAndInvalidFile) {
     const Ended e = run_sample({"--machine", "x.toml"});
     EXPECT_EQ(e.status, 2);
     EXPECT_TRUE(contains(e.err, "--machine cannot be combined with --robots")) << e.err;

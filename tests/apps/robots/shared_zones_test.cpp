@@ -31,7 +31,7 @@ class SharedZones : public TwoSlides {
 };
 
 // Rapids of 250 mm and feed moves of 100 mm, from standstill to standstill: d / v + v / a.
-TEST_F(SharedZones, TheSecondWaitsUntilTheFirstHasLeft) {
+TEST_F(SharedZones, SecondRobotWaitsUntilFirstLeaves) {
     const std::string work =
         "G0{x=250}\nenter_zone 'fixture'\nF(6000) G1{x=350}\nG1{x=250}\nleave_zone 'fixture'\n";
     const json report = share(work, work, 0);
@@ -51,7 +51,7 @@ TEST_F(SharedZones, TheSecondWaitsUntilTheFirstHasLeft) {
 }
 
 // The right one's ball is at the wall when it has gone 300 - 20 mm: x = v (t - v / 2a).
-TEST_F(SharedZones, WhoEntersWhatAnotherHasIsTold) {
+TEST_F(SharedZones, ReportEntryIntoOccupiedZone) {
     const json report = share("enter_zone 'fixture'\nG0{x=1}\nwait(10)\n", "G1{x=300}\nG1{x=0}\n", 1);
     const json& right = report["robots"][1]["collisions"];
     ASSERT_EQ(right.size(), 1U) << report;
@@ -68,7 +68,7 @@ TEST_F(SharedZones, WhoEntersWhatAnotherHasIsTold) {
 
 // A robot that is inside when another takes the zone is reported from then on; a zone without a holder may be
 // entered.
-TEST_F(SharedZones, WhoIsInsideWhenItIsTakenIsTold) {
+TEST_F(SharedZones, ReportRobotInsideZoneWhenOccupied) {
     const json report = share("wait(7)\nenter_zone 'fixture'\n", "G1{x=300}\nwait(4)\nG1{x=0}\n", 1);
     ASSERT_EQ(report["robots"][1]["collisions"].size(), 1U) << report;
     EXPECT_NEAR(report["robots"][1]["collisions"][0]["t_s"].get<double>(), 7, 1e-9);
@@ -76,7 +76,7 @@ TEST_F(SharedZones, WhoIsInsideWhenItIsTakenIsTold) {
 }
 
 // The owner of the robot counts, not what the process moves when it takes the zone.
-TEST_F(SharedZones, AProcessMayBeInItsOwnWithEachOfItsRobots) {
+TEST_F(SharedZones, ProcessEntersItsZoneWithAnyOfItsRobots) {
     EXPECT_TRUE(share("G0{x=320}\nG0{x=0}\n", "", 0)["zones"].empty());
     write("before.lua",
           "process('a', function() enter_zone 'fixture' wait(1) local _ENV = robot 'left' G0{x=330} G0{x=0} "
@@ -89,7 +89,7 @@ TEST_F(SharedZones, AProcessMayBeInItsOwnWithEachOfItsRobots) {
 }
 
 // The holder has ended, and another process drives its robot in.
-TEST_F(SharedZones, ARobotGoesWithTheProcessThatMovesIt) {
+TEST_F(SharedZones, RobotBelongsToProcessMovingIt) {
     share("", "", 0);
     write("after.lua",
           "process('a', function() local _ENV = robot 'left' G0{x=1} enter_zone 'fixture' end)\n"
@@ -102,7 +102,7 @@ TEST_F(SharedZones, ARobotGoesWithTheProcessThatMovesIt) {
     EXPECT_EQ(hits[0]["pair"], json::array({"ball", "zone fixture of 'a'"}));
 }
 
-TEST_F(SharedZones, ADeadLockIsNamed) {
+TEST_F(SharedZones, ReportDeadlock) {
     const json report = share("enter_zone 'fixture'\nwait(1)\nenter_zone 'table'\n",
                               "enter_zone 'table'\nwait(2)\nenter_zone 'fixture'\n", 1);
     EXPECT_EQ(report["alarm"]["message"],
@@ -120,7 +120,7 @@ TEST_F(SharedZones, ADeadLockIsNamed) {
 }
 
 // A device that runs endlessly does not hide the dead-lock; without one, no process can continue.
-TEST_F(SharedZones, AZoneThatIsKeptBehindTheEndIsADeadLock) {
+TEST_F(SharedZones, ZoneOccupiedAfterEndCausesDeadlock) {
     share("", "", 0);
     const std::string device = "device('belt', function() while true do wait(0.5) end end)\n";
     const std::string left = "process('l', function() enter_zone 'fixture' wait(3) end)\n";

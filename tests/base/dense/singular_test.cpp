@@ -13,7 +13,7 @@ namespace {
 
 using tests::random_matrix;
 
-TEST(SingularValues, AreThoseOfEigensOwnWayForMatricesThatAreNotSquare) {
+TEST(SingularValues, MatchEigenJacobiSvd) {
     std::mt19937 random(7);
     for (Eigen::Index rows = 3; rows <= 6; ++rows) {
         for (Eigen::Index cols = 1; cols <= 9; ++cols) {
@@ -35,7 +35,7 @@ TEST(SingularValues, AreThoseOfEigensOwnWayForMatricesThatAreNotSquare) {
     }
 }
 
-TEST(SingularValues, OfNothingButZeros) {
+TEST(SingularValues, AreZeroForZeroMatrix) {
     const SingularValues found = singular_values(Eigen::MatrixXd::Zero(6, 5));
     EXPECT_EQ(found.values, Eigen::VectorXd::Zero(5));
     EXPECT_TRUE((found.right.transpose() * found.right).isIdentity(1e-15));

@@ -45,19 +45,19 @@ TEST(Symmetric, SolvesAndInverts) {
     EXPECT_TRUE((matrix * solve_positive_definite(matrix, right)).isApprox(right, 1e-12));
 }
 
-TEST(Symmetric, EigenvaluesOfEitherSign) {
+TEST(Symmetric, FindsEigenvaluesOfBothSigns) {
     // A reflection in the plane across (1, 2, 2) / 3, stretched: -5 along it, 5 across.
     const Eigen::Vector3d along = Eigen::Vector3d(1, 2, 2) / 3;
     const Eigen::Matrix3d matrix = 5 * (Eigen::Matrix3d::Identity() - 2 * along * along.transpose());
     EXPECT_TRUE(symmetric_eigenvalues(matrix).isApprox(Eigen::Vector3d(-5, 5, 5), 1e-14));
 }
 
-TEST(Symmetric, OfNothingButZeros) {
+TEST(Symmetric, ZeroMatrixHasZeroEigenvalues) {
     EXPECT_EQ(symmetric_eigenvalues(Eigen::Matrix3d::Zero()), Eigen::VectorXd::Zero(3));
     EXPECT_FALSE(is_positive_definite(Eigen::Matrix3d::Zero()));
 }
 
-TEST(Symmetric, IsPositiveDefiniteUpToItsLeastEigenvalue) {
+TEST(Symmetric, StaysPositiveDefiniteUpToMinEigenvalue) {
     for (const Eigen::Index size : {1, 2, 5, 30}) {
         const double min = eigenvalue_of_difference(1, size);
         Eigen::MatrixXd matrix = second_difference(size);
@@ -68,7 +68,7 @@ TEST(Symmetric, IsPositiveDefiniteUpToItsLeastEigenvalue) {
     }
 }
 
-TEST(Symmetric, CholeskyReadsTheLowerTriangleAlone) {
+TEST(Symmetric, CholeskyReadsOnlyLowerTriangle) {
     Eigen::MatrixXd lower = second_difference(4);
     lower.triangularView<Eigen::StrictlyUpper>().setConstant(1e9);
     EXPECT_TRUE(positive_definite_inverse(lower).isApprox(positive_definite_inverse(second_difference(4))));

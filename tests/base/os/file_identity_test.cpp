@@ -25,7 +25,7 @@ class FileIdentityTest : public testing::Test {
     fs::path folder_;
 };
 
-TEST_F(FileIdentityTest, IsOneForAllNamesOfAFile) {
+TEST_F(FileIdentityTest, IsEqualForAllNamesOfFile) {
     fs::create_symlink("a", folder_ / "symbolic");
     fs::create_hard_link(folder_ / "a", folder_ / "hard");
     fs::create_directory_symlink(".", folder_ / "here");
@@ -39,7 +39,7 @@ TEST_F(FileIdentityTest, IsOneForAllNamesOfAFile) {
     EXPECT_EQ(open_file_identity(open.number()), a);
 }
 
-TEST_F(FileIdentityTest, OfAFileThatIsNotThereIsItsFoldersAndItsName) {
+TEST_F(FileIdentityTest, MissingFileIsIdentifiedByFolderAndName) {
     fs::create_directory_symlink(".", folder_ / "here");
     const auto b = file_identity(folder_ / "b");
     ASSERT_TRUE(b);
@@ -49,7 +49,7 @@ TEST_F(FileIdentityTest, OfAFileThatIsNotThereIsItsFoldersAndItsName) {
 }
 
 // Systems give the number of a file that is gone to the next one.
-TEST_F(FileIdentityTest, IsNotThatOfAFileWhichIsMadeWhenItIsGone) {
+TEST_F(FileIdentityTest, DiffersForFileCreatedAfterRemoval) {
     for (int i = 0; i < 100; ++i) {
         const auto gone = file_identity(folder_ / "a");
         fs::remove(folder_ / "a");
@@ -60,7 +60,7 @@ TEST_F(FileIdentityTest, IsNotThatOfAFileWhichIsMadeWhenItIsGone) {
 }
 
 // The case occurs if another run writes the file between two checks.
-TEST_F(FileIdentityTest, IsThatOfTheFileWhichTookItsPlace) {
+TEST_F(FileIdentityTest, IsKeptAfterReplacementOfFile) {
     fs::create_symlink("a", folder_ / "symbolic");
     const auto before = file_identity(folder_ / "a");
     std::ofstream(folder_ / "b") << "b";
@@ -71,7 +71,7 @@ TEST_F(FileIdentityTest, IsThatOfTheFileWhichTookItsPlace) {
     EXPECT_EQ(file_identity(folder_ / "a"), before);
 }
 
-TEST_F(FileIdentityTest, DevicesAndFoldersMayBeNamedTwice) {
+TEST_F(FileIdentityTest, DevicesAndFoldersHaveNoIdentity) {
     EXPECT_FALSE(file_identity("/dev/null"));
     EXPECT_FALSE(file_identity(folder_));
     EXPECT_FALSE(file_identity(folder_ / ""));

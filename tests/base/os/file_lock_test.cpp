@@ -25,7 +25,7 @@ class FileLockTest : public testing::Test {
     fs::path file_;
 };
 
-TEST_F(FileLockTest, OneHasItAtATime) {
+TEST_F(FileLockTest, RejectsSecondHolder) {
     std::optional<FileLock> first;
     {
         auto got = FileLock::get(file_, 0ms);
@@ -43,7 +43,7 @@ TEST_F(FileLockTest, OneHasItAtATime) {
     EXPECT_TRUE(FileLock::get(file_, 0ms));
 }
 
-TEST_F(FileLockTest, IsOneForAllSymbolicLinksAndOutlivesTheFile) {
+TEST_F(FileLockTest, HoldsForSymbolicLinksAndReplacedFile) {
     fs::create_symlink("d.txt", folder_ / "link");
     const auto lock = FileLock::get(folder_ / "link", 0ms);
     ASSERT_TRUE(lock);
@@ -53,19 +53,19 @@ TEST_F(FileLockTest, IsOneForAllSymbolicLinksAndOutlivesTheFile) {
     EXPECT_FALSE(FileLock::get(file_, 0ms)) << "the file was replaced";
 }
 
-TEST_F(FileLockTest, LeavesNothingAndTakesOverWhatAKilledOneLeft) {
+TEST_F(FileLockTest, ReusesStaleLockAndRemovesIt) {
     std::ofstream(folder_ / ".d.txt.lock") << "";
     EXPECT_TRUE(FileLock::get(file_, 0ms));
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
-TEST_F(FileLockTest, DevicesNeedNone) {
+TEST_F(FileLockTest, DevicesAreNotLocked) {
     const auto lock = FileLock::get("/dev/null", 0ms);
     EXPECT_TRUE(lock);
     EXPECT_TRUE(FileLock::get("/dev/null", 0ms));
 }
 
-TEST_F(FileLockTest, ErrorsNameTheFile) {
+TEST_F(FileLockTest, ErrorNamesFile) {
     const auto lock = FileLock::get(folder_ / "no" / "d.txt", 0ms);
     ASSERT_FALSE(lock);
     EXPECT_EQ(lock.error().message,

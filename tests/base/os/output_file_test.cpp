@@ -32,7 +32,7 @@ class OutputFileTest : public testing::Test {
     fs::path folder;
 };
 
-TEST_F(OutputFileTest, AppearsOnlyWhenCommitted) {
+TEST_F(OutputFileTest, AppearsOnlyAfterCommit) {
     auto file = OutputFile::open(folder / "a");
     ASSERT_TRUE(file) << file.error().message;
     std::fputs("new", file->stream());
@@ -42,7 +42,7 @@ TEST_F(OutputFileTest, AppearsOnlyWhenCommitted) {
     EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(OutputFileTest, WithoutACommitTheOldFileStays) {
+TEST_F(OutputFileTest, KeepsOldFileWithoutCommit) {
     write(folder / "a", "old");
     {
         auto file = OutputFile::open(folder / "a");
@@ -66,7 +66,7 @@ TEST_F(OutputFileTest, KeepsPermissionsAndSymbolicLinks) {
     EXPECT_EQ(fs::status(folder / "a").permissions(), fs::perms(0640));
 }
 
-TEST_F(OutputFileTest, ErrorsNameTheFile) {
+TEST_F(OutputFileTest, ErrorNamesFile) {
     const auto missing = OutputFile::open(folder / "no" / "a");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().message,
@@ -76,7 +76,7 @@ TEST_F(OutputFileTest, ErrorsNameTheFile) {
     EXPECT_EQ(directory.error().message, "cannot write '" + folder.string() + "': Is a directory");
 }
 
-TEST_F(OutputFileTest, WhatIsToStayStays) {
+TEST_F(OutputFileTest, KeepPolicyNeverReplacesFile) {
     auto file = OutputFile::open(folder / "a", ExistingFilePolicy::keep);
     ASSERT_TRUE(file) << file.error().message;
     file->write("new");
@@ -89,14 +89,14 @@ TEST_F(OutputFileTest, WhatIsToStayStays) {
     EXPECT_TRUE(fs::exists(folder / "b"));
 }
 
-TEST_F(OutputFileTest, IsBroughtToTheDiskWhereAsked) {
+TEST_F(OutputFileTest, WritesFileWithDiskDurability) {
     EXPECT_TRUE(write_file(folder / "a", "new", Durability::disk));
     EXPECT_EQ(content(folder / "a"), "new");
     EXPECT_TRUE(write_file("/dev/null", "new", Durability::disk));
 }
 
 // The buffer of the stream is empty again when commit() checks it.
-TEST(OutputFile, TheReasonOfAnEarlyFailureIsKept) {
+TEST(OutputFile, ReportsFirstWriteError) {
     auto file = OutputFile::open("/dev/full");
     if (!file) GTEST_SKIP() << file.error().message;
     file->write(std::string(1 << 20, 'a'));
@@ -105,14 +105,14 @@ TEST(OutputFile, TheReasonOfAnEarlyFailureIsKept) {
     EXPECT_EQ(committed.error().message, "cannot write '/dev/full': No space left on device");
 }
 
-TEST(OutputFile, DeviceIsWrittenDirectlyAndStaysADevice) {
+TEST(OutputFile, DoesNotReplaceDevice) {
     auto file = OutputFile::open("/dev/null");
     ASSERT_TRUE(file) << file.error().message;
     EXPECT_TRUE(file->commit());
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST(OutputFile, PipeIsWrittenDirectly) {
+TEST(OutputFile, WritesPipeDirectly) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     auto file = OutputFile::open("/dev/fd/" + std::to_string(ends[1]));
@@ -126,7 +126,7 @@ TEST(OutputFile, PipeIsWrittenDirectly) {
     ::close(ends[1]);
 }
 
-TEST(OutputFile, FullDiskIsReported) {
+TEST(OutputFile, ReportsFullDisk) {
     auto file = OutputFile::open("/dev/full");
     if (!file) GTEST_SKIP() << file.error().message;
     std::fputs("text", file->stream());

@@ -22,7 +22,7 @@ constexpr std::size_t kMax = 1000;
 constexpr std::size_t kLarge = std::size_t{1} << 20U;
 
 /// Folder with another one next to it that must not be accessed.
-class BoundFolderTest : public testing::Test {
+class RootedDirectoryTest : public testing::Test {
   protected:
     void SetUp() override {
         std::string name = (fs::temp_directory_path() / "bound-XXXXXX").string();
@@ -60,7 +60,7 @@ class BoundFolderTest : public testing::Test {
     std::optional<RootedDirectory> folder_;
 };
 
-TEST_F(BoundFolderTest, ListsFilesBelowByNameWithoutHiddenOnesAndLinks) {
+TEST_F(RootedDirectoryTest, ListsFilesWithoutHiddenFilesAndLinks) {
     write_file("in/.hidden", "");
     fs::create_symlink(around_ / "secret.txt", around_ / "in/link.txt");
     fs::create_directory_symlink(around_, around_ / "in/up");
@@ -70,7 +70,7 @@ TEST_F(BoundFolderTest, ListsFilesBelowByNameWithoutHiddenOnesAndLinks) {
     EXPECT_TRUE(cut);
 }
 
-TEST_F(BoundFolderTest, OfTooManyFilesThoseOfUpperFoldersAreListed) {
+TEST_F(RootedDirectoryTest, PrefersUpperFoldersIfListIsCut) {
     fs::create_directories(around_ / "in/a/b");
     for (const char* name : {"in/a/1.nc", "in/a/2.nc", "in/a/b/1.nc", "in/z.nc"}) write_file(name, "");
     const auto listed = [&](std::size_t max, bool& cut) {
@@ -88,7 +88,7 @@ TEST_F(BoundFolderTest, OfTooManyFilesThoseOfUpperFoldersAreListed) {
     EXPECT_TRUE(cut);
 }
 
-TEST_F(BoundFolderTest, ThatFoldersAreTooDeepOrTooManyIsSaid) {
+TEST_F(RootedDirectoryTest, ReportsCutListIfFoldersAreTooDeepOrMany) {
     bool cut = false;
     fs::path deep = "in/sub";
     for (int depth = 2; depth <= 32; ++depth) deep /= "d";
@@ -107,7 +107,7 @@ TEST_F(BoundFolderTest, ThatFoldersAreTooDeepOrTooManyIsSaid) {
     EXPECT_FALSE(cut);
 }
 
-TEST_F(BoundFolderTest, NamesThatLeadOutOfItAreRefused) {
+TEST_F(RootedDirectoryTest, RejectsUnsafeNames) {
     for (const char* name : {"", "/etc/passwd", "../secret.txt", "sub/../../secret.txt", "./part.nc",
                              "sub/./deep.nc", "sub//deep.nc", "sub/", ".hidden", "..", "a\\b", "a\nb"}) {
         const auto read = folder_->read(name, kLarge);
@@ -121,7 +121,7 @@ TEST_F(BoundFolderTest, NamesThatLeadOutOfItAreRefused) {
     EXPECT_EQ(get("secret.txt"), "secret");
 }
 
-TEST_F(BoundFolderTest, LinksAreNotFollowed) {
+TEST_F(RootedDirectoryTest, DoesNotFollowLinks) {
     fs::create_symlink(around_ / "secret.txt", around_ / "in/link.txt");
     fs::create_directory_symlink(around_, around_ / "in/up");
     for (const char* name : {"link.txt", "up/secret.txt"}) {
@@ -136,7 +136,7 @@ TEST_F(BoundFolderTest, LinksAreNotFollowed) {
     EXPECT_FALSE(fs::exists(around_ / "new.txt"));
 }
 
-TEST_F(BoundFolderTest, WhatIsNoRegularFileIsNotRead) {
+TEST_F(RootedDirectoryTest, ReadsOnlyRegularFiles) {
     ASSERT_EQ(::mkfifo((around_ / "in/pipe").c_str(), 0600), 0);
     EXPECT_FALSE(folder_->read("pipe", kLarge));
     EXPECT_FALSE(folder_->read("sub", kLarge));
@@ -146,7 +146,7 @@ TEST_F(BoundFolderTest, WhatIsNoRegularFileIsNotRead) {
     EXPECT_FALSE(folder_->read("part.nc", 2));
 }
 
-TEST_F(BoundFolderTest, WritesWhatWasReadAndKeepsItsPermissions) {
+TEST_F(RootedDirectoryTest, WritesFileAndKeepsPermissions) {
     fs::permissions(around_ / "in/part.nc", fs::perms(0640));
     ContentTag tag;
     ASSERT_EQ(folder_->read("part.nc", kLarge, &tag), "G1 X1\n");
@@ -159,12 +159,12 @@ TEST_F(BoundFolderTest, WritesWhatWasReadAndKeepsItsPermissions) {
     EXPECT_EQ(std::distance(fs::directory_iterator(around_ / "in"), {}), 2);  // no other file remains in it
 }
 
-TEST_F(BoundFolderTest, NewFilesAreMadeWithTheirFolders) {
+TEST_F(RootedDirectoryTest, CreatesNewFileWithItsFolders) {
     ASSERT_TRUE(write("new/of/mine.nc", "", "G4\n"));
     EXPECT_EQ(get("in/new/of/mine.nc"), "G4\n");
 }
 
-TEST_F(BoundFolderTest, WhatAnotherProgramSavedStays) {
+TEST_F(RootedDirectoryTest, KeepsFileChangedByAnotherProgram) {
     const auto tag = folder_->content_tag("part.nc");
     write_file("in/part.nc", "G1 X99\n");
     const auto late = write("part.nc", *tag, "G1 X2\n");
@@ -185,7 +185,7 @@ TEST_F(BoundFolderTest, WhatAnotherProgramSavedStays) {
 }
 
 // The other program saves between the check of the file and its renaming.
-TEST_F(BoundFolderTest, WhatAnotherProgramSavesMeanwhileStays) {
+TEST_F(RootedDirectoryTest, KeepsFileChangedDuringWrite) {
     for (const bool is_new : {false, true}) {
         const std::string name = is_new ? "fresh.nc" : "part.nc";
         const auto tag = is_new ? ContentTag() : *folder_->content_tag(name);
@@ -201,7 +201,7 @@ TEST_F(BoundFolderTest, WhatAnotherProgramSavesMeanwhileStays) {
     EXPECT_THAT(names(), ElementsAre("fresh.nc", "part.nc", "sub/deep.nc"));
 }
 
-TEST_F(BoundFolderTest, AContentThatEndsTooSoonChangesNothing) {
+TEST_F(RootedDirectoryTest, IncompleteContentKeepsOldFile) {
     const auto tag = *folder_->content_tag("part.nc");
     const auto broken = folder_->write("part.nc", tag, [&](const RootedDirectory::WriteChunk& chunk) {
         chunk("G1 ");
@@ -212,7 +212,7 @@ TEST_F(BoundFolderTest, AContentThatEndsTooSoonChangesNothing) {
     EXPECT_EQ(std::distance(fs::directory_iterator(around_ / "in"), {}), 2);
 }
 
-TEST_F(BoundFolderTest, AFolderThatIsNoneIsSaid) {
+TEST_F(RootedDirectoryTest, RejectsInvalidRoot) {
     EXPECT_FALSE(RootedDirectory::open(around_ / "secret.txt"));
     EXPECT_FALSE(RootedDirectory::open(around_ / "nowhere"));
 }

@@ -65,7 +65,7 @@ class SpawnTest : public testing::Test {
     sigset_t before_{};
 };
 
-TEST_F(SpawnTest, NoSignalIsBlockedInAChildAndABrokenPipeEndsIt) {
+TEST_F(SpawnTest, ChildGetsUnblockedSignalsAndDefaultSigpipe) {
     auto signals = signals_of_child();
     ASSERT_EQ(signals.size(), 2U);
     EXPECT_EQ(signals["SigBlk"], 0U);
@@ -73,7 +73,7 @@ TEST_F(SpawnTest, NoSignalIsBlockedInAChildAndABrokenPipeEndsIt) {
     EXPECT_NE(signals["SigIgn"] & bit(SIGHUP), 0U) << "as nohup wants it";
 }
 
-TEST_F(SpawnTest, ItsGroupIsOursUnlessItShallHaveItsOwn) {
+TEST_F(SpawnTest, ChildGetsRequestedProcessGroup) {
     const std::vector<std::string> command{"/bin/sh", "-c", "echo $$ $(cut -d ' ' -f 5 /proc/$$/stat)"};
     const auto numbers = [&](ProcessGroup group) {
         std::istringstream said(said_by(command, group));

@@ -50,7 +50,7 @@ class TemporaryNameTest : public testing::Test {
     fs::path folder_;
 };
 
-TEST_F(TemporaryNameTest, ASignalLeavesNoFileAndStillEndsTheProgram) {
+TEST_F(TemporaryNameTest, SignalRemovesTemporariesAndEndsProgram) {
     for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU}) {
         const int status = child([&] {
             remove_temporaries_at_signals();
@@ -66,7 +66,7 @@ TEST_F(TemporaryNameTest, ASignalLeavesNoFileAndStillEndsTheProgram) {
     }
 }
 
-TEST_F(TemporaryNameTest, WhatWasIgnoredStaysIgnored) {
+TEST_F(TemporaryNameTest, IgnoredSignalStaysIgnored) {
     const int status = child([&] {
         std::signal(SIGHUP, SIG_IGN);
         remove_temporaries_at_signals();
@@ -80,7 +80,7 @@ TEST_F(TemporaryNameTest, WhatWasIgnoredStaysIgnored) {
     EXPECT_EQ(files(), 1);
 }
 
-TEST_F(TemporaryNameTest, ASignalInAForkedChildLeavesTheParentsFiles) {
+TEST_F(TemporaryNameTest, SignalInChildKeepsFilesOfParent) {
     const int status = child([&] {
         remove_temporaries_at_signals();
         auto file = OutputFile::open(folder_ / "a");
@@ -97,7 +97,7 @@ TEST_F(TemporaryNameTest, ASignalInAForkedChildLeavesTheParentsFiles) {
     EXPECT_EQ(text(), "new");
 }
 
-TEST_F(TemporaryNameTest, AFileThatOutgrowsItsLimitIsAnError) {
+TEST_F(TemporaryNameTest, ReportsFileAboveSizeLimit) {
     const int status = child([&] {
         remove_temporaries_at_signals();
         const rlimit limit{1000, 1000};

@@ -16,7 +16,7 @@ std::string encoded(const std::vector<std::string>& chunks) {
     return text;
 }
 
-TEST(Base64, HasTheVectorsOfTheStandard) {  // RFC 4648, section 10
+TEST(Base64, MatchesTestVectorsOfRfc4648) {  // RFC 4648, section 10
     EXPECT_EQ(encoded({""}), "");
     EXPECT_EQ(encoded({"f"}), "Zg==");
     EXPECT_EQ(encoded({"fo"}), "Zm8=");
@@ -27,7 +27,7 @@ TEST(Base64, HasTheVectorsOfTheStandard) {  // RFC 4648, section 10
     EXPECT_EQ(encoded({std::string("\xff\xfe\xfd\x00", 4)}), "//79AA==");
 }
 
-TEST(Base64, IsTheSameHoweverItsBytesAreCut) {
+TEST(Base64, IsIndependentOfChunkBorders) {
     const std::string bytes = "a program is looked at in pieces";
     const std::string full = encoded({bytes});
     for (std::size_t first = 0; first <= bytes.size(); ++first) {

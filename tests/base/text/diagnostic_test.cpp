@@ -11,7 +11,7 @@
 namespace gsim::text::diagnostic_test {
 namespace {
 
-TEST(Diagnostic, AsText) {
+TEST(Diagnostic, IsWrittenAsText) {
     Diagnostic diagnostic{.file = "part.nc", .line = 12, .column = 7, .text = "wrong"};
     EXPECT_EQ(to_text(diagnostic), "part.nc:12:7: error: wrong\n");
     diagnostic.hint = "write it so";
@@ -22,7 +22,7 @@ TEST(Diagnostic, AsText) {
     EXPECT_EQ(to_text({.severity = Severity::warning, .text = "look"}), "warning: look\n");
 }
 
-TEST(Diagnostic, OfASentenceWithItsPlace) {
+TEST(Diagnostic, TakesSourceLocationFromMessage) {
     const Diagnostic full =
         to_diagnostic(DiagnosticKind::input_file, "a b.toml:12:7: warning: 'x' is no key");
     EXPECT_EQ(full.file, "a b.toml");
@@ -37,7 +37,7 @@ TEST(Diagnostic, OfASentenceWithItsPlace) {
     EXPECT_EQ(line.text, "wrong: 5");
 }
 
-TEST(Diagnostic, OfASentenceWithoutAPlace) {
+TEST(Diagnostic, KeepsMessageWithoutSourceLocation) {
     for (const char* message : {"no such file", "x.toml: No such file or directory", ":3: odd",
                                 "at 12:30: late", "a:99999999999: too large"}) {
         const Diagnostic diagnostic = to_diagnostic(DiagnosticKind::file, message);
@@ -50,7 +50,7 @@ TEST(Diagnostic, OfASentenceWithoutAPlace) {
     }
 }
 
-TEST(Diagnostic, OfAFileThatCannotBeRead) {
+TEST(Diagnostic, TakesFileNameFromReadError) {
     const Diagnostic diagnostic =
         to_diagnostic(DiagnosticKind::input_file, "cannot read 'a b.svg': No such file");
     EXPECT_EQ(diagnostic.file, "a b.svg");
@@ -58,7 +58,7 @@ TEST(Diagnostic, OfAFileThatCannotBeRead) {
     EXPECT_EQ(diagnostic.text, "cannot read 'a b.svg': No such file");
 }
 
-TEST(DiagnosticKind, EachHasACodeOfItsOwnInTheOrderOfTheEnumeration) {
+TEST(DiagnosticKind, HasUniqueCodesInEnumOrder) {
     std::set<std::string_view> codes;
     std::size_t index = 0;
     for (const DiagnosticKindEntry& entry : diagnostic_kinds()) {
@@ -72,7 +72,7 @@ TEST(DiagnosticKind, EachHasACodeOfItsOwnInTheOrderOfTheEnumeration) {
     EXPECT_FALSE(diagnostic_kind("no-such-code"));
 }
 
-TEST(DiagnosticKind, TheDocumentationListsThem) {
+TEST(DiagnosticKind, IsListedInDocs) {
     std::ifstream file(tests::source_path("docs/diagnostics.md"));
     std::ostringstream page;
     page << file.rdbuf();

@@ -10,7 +10,7 @@ namespace gsim::text {
 
 namespace {
 
-TEST(Format, AppendsToWhatIsThere) {
+TEST(Format, AppendsToExistingText) {
     std::string text = "G1 ";
     append_format(text, "X{} F{:.1f}", 12, 2.25);
     EXPECT_EQ(text, "G1 X12 F2.2");

@@ -18,7 +18,7 @@ TEST(Json, ReadsTextsAndStreams) {
     EXPECT_EQ(parse_json<json>(stream).size(), 2);
 }
 
-TEST(Json, ThrowsOrDiscardsWhatIsNoJson) {
+TEST(Json, ThrowsOrDiscardsInvalidJson) {
     EXPECT_THROW(parse_json<json>("{"), json::parse_error);
     EXPECT_THROW(parse_json<ordered_json>("[1] x"), ordered_json::parse_error);
     EXPECT_TRUE(try_parse_json<json>("{").is_discarded());

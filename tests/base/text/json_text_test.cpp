@@ -22,7 +22,7 @@ std::string string(std::string_view text) {
     return fmt::to_string(out);
 }
 
-TEST(JsonText, Numbers) {
+TEST(JsonText, WritesRoundedNumbers) {
     EXPECT_EQ(number(0), "0");
     EXPECT_EQ(number(-0.0), "0");
     EXPECT_EQ(number(-1e-10), "0");
@@ -37,7 +37,7 @@ TEST(JsonText, Numbers) {
     EXPECT_EQ(number(std::nan("")), "null");
 }
 
-TEST(JsonText, NumbersReadBackAsTheRoundedValue) {
+TEST(JsonText, NumbersReadBackAsRoundedValue) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> exponent(-10, 8), mantissa(-1, 1);
     for (int i = 0; i < 100000; ++i) {
@@ -47,12 +47,12 @@ TEST(JsonText, NumbersReadBackAsTheRoundedValue) {
     }
 }
 
-TEST(JsonText, RoundingLeavesNoMinusZero) {
+TEST(JsonText, RoundingLeavesNoNegativeZero) {
     EXPECT_FALSE(std::signbit(rounded(-1e-12)));
     EXPECT_FALSE(std::signbit(rounded(-0.0)));
 }
 
-TEST(JsonText, Strings) {
+TEST(JsonText, EscapesStrings) {
     EXPECT_EQ(string("a \"b\" \\ c"), R"("a \"b\" \\ c")");
     EXPECT_EQ(string(std::string_view("\n\0", 2)), R"("\u000a\u0000")");
     EXPECT_EQ(string("\u00fc \u20ac \U0001F600"), "\"\u00fc \u20ac \U0001F600\"");

@@ -5,7 +5,7 @@
 namespace gsim::text::letter_case_test {
 namespace {
 
-TEST(LetterCase, ChangesLettersOfAsciiAlone) {
+TEST(LetterCase, ChangesOnlyAsciiLetters) {
     EXPECT_EQ(upper("azAZ09_[`{@\xe4"), "AZAZ09_[`{@\xe4");
     EXPECT_EQ(lower("azAZ09_[`{@\xc4"), "azaz09_[`{@\xc4");
     EXPECT_EQ(upper(""), "");

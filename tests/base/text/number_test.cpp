@@ -7,7 +7,7 @@
 namespace gsim::text::number_test {
 namespace {
 
-TEST(Number, FixedHasSoManyDigitsAndNoNegativeZero) {
+TEST(Number, FixedHasRequestedDigitsAndNoNegativeZero) {
     EXPECT_EQ(fixed(1.23456, 3), "1.235");
     EXPECT_EQ(fixed(-1.23456, 3), "-1.235");
     EXPECT_EQ(fixed(-0.0004, 3), "0.000");
@@ -18,7 +18,7 @@ TEST(Number, FixedHasSoManyDigitsAndNoNegativeZero) {
     EXPECT_EQ(fixed(1e300, 2).size(), 304U);
 }
 
-TEST(Number, UnsignedZero) {
+TEST(Number, RemovesSignOfZero) {
     EXPECT_FALSE(std::signbit(unsigned_zero(-0.0)));
     EXPECT_EQ(unsigned_zero(-1e-300), -1e-300);
     EXPECT_EQ(unsigned_zero("-0."), "0.");

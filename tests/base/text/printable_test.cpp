@@ -5,12 +5,12 @@
 namespace gsim::text {
 namespace {
 
-TEST(Printable, WhatPeopleReadStaysAsItIs) {
+TEST(Printable, KeepsReadableText) {
     for (const char* text : {"", "G1 X10\n\tY2\n", "Größe 5 µm, 日本, 🛠", "\\x1b"})
         EXPECT_EQ(printable(text), text);
 }
 
-TEST(Printable, WhatActsOnATerminalIsWrittenOut) {
+TEST(Printable, EscapesControlCharacters) {
     EXPECT_EQ(printable("\x1b[2Jgone"), "\\u001b[2Jgone");
     EXPECT_EQ(printable("a\rb\x7f"), "a\\u000db\\u007f");
     EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a\\u0000b");
@@ -24,7 +24,7 @@ TEST(Printable, WhatActsOnATerminalIsWrittenOut) {
         << "right to left";
 }
 
-TEST(Printable, BytesThatAreNoUtf8AreWrittenOut) {
+TEST(Printable, EscapesInvalidUtf8) {
     EXPECT_EQ(printable("caf\xe9"), "caf\\xe9");
     EXPECT_EQ(printable("\xc0\x9b"), "\\xc0\\x9b") << "longer than it need be";
     EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "half of a pair";

@@ -38,7 +38,7 @@ Read as_the_library_does(const std::string& text) {
     return read;
 }
 
-TEST(ReadNumber, IsThatOfTheLibrary) {
+TEST(ReadNumber, MatchesFromChars) {
     for (const char* text : {"0",
                              "-0",
                              "00012",
@@ -83,7 +83,7 @@ TEST(ReadNumber, IsThatOfTheLibrary) {
         EXPECT_EQ(as_we_do(text), as_the_library_does(text)) << text;
 }
 
-TEST(ReadNumber, IsTheNearestDoubleOfRandomDigits) {
+TEST(ReadNumber, MatchesFromCharsForRandomDigits) {
     std::mt19937_64 random(20261124);
     for (int i = 0; i < 200'000; ++i) {
         std::string text = random() % 2 == 0 ? "-" : "";
@@ -97,13 +97,13 @@ TEST(ReadNumber, IsTheNearestDoubleOfRandomDigits) {
     }
 }
 
-TEST(NumberOf, TakesAWholeTextWithASign) {
+TEST(ParseNumber, AcceptsSignedNumber) {
     EXPECT_EQ(parse_number("+1.5"), 1.5);
     EXPECT_EQ(parse_number("-1.5e3"), -1500);
     EXPECT_EQ(parse_number(".5"), 0.5);
 }
 
-TEST(NumberOf, IsFiniteAndAllOfTheText) {
+TEST(ParseNumber, RejectsPartialOrNonFiniteNumber) {
     for (const char* text : {"", "+", "-", "+-1", "1 ", " 1", "1.5mm", "1e400", "inf", "nan", "0x10"})
         EXPECT_EQ(parse_number(text), std::nullopt) << text;
 }

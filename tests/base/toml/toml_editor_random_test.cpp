@@ -249,7 +249,7 @@ class RandomEdits {
 };
 
 /// Each of ten numbers has a comment above it, or after it, or none.
-TEST(TomlEditAtRandom, CommentsOfAListStayWithItsElements) {
+TEST(RandomTomlEdits, KeepCommentsWithListElements) {
     std::mt19937 random(11);
     for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
         std::string text = "a = [\n";
@@ -281,7 +281,7 @@ TEST(TomlEditAtRandom, CommentsOfAListStayWithItsElements) {
     }
 }
 
-TEST(TomlEditAtRandom, SamplesKeepWhatIsNotTouchedAndMeanWhatWasWanted) {
+TEST(RandomTomlEdits, SetExpectedValuesAndKeepOtherLinesOfSamples) {
     constexpr int kEditsEach = 60;
     ASSERT_GT(samples().size(), 15U);
     for (const auto& file : samples()) {

@@ -58,7 +58,7 @@ std::string with(std::string text, const std::string& old, const std::string& no
     return text.replace(text.find(old), old.size(), now);
 }
 
-TEST(TomlEditor, AValueGoesInThePlaceOfAnotherAndTheCommentBehindItStays) {
+TEST(TomlEditor, ReplacesValueAndKeepsComment) {
     EXPECT_EQ(set(kMachine, {"machine", "name"}, "mill"), with(kMachine, "\"router\"  #", "\"mill\"    #"));
     EXPECT_EQ(set(kMachine, {"axis", kFirst, "max_mm"}, 1234.5), with(kMachine, "600.0  ", "1234.5 "));
     EXPECT_EQ(set("a = 1 # one\n", {"a"}, 12), "a = 12 # one\n");
@@ -66,14 +66,14 @@ TEST(TomlEditor, AValueGoesInThePlaceOfAnotherAndTheCommentBehindItStays) {
     EXPECT_EQ(set("a = '''x\ny''' # c\nb = 1\n", {"a"}, "z"), "a = \"z\" # c\nb = 1\n");
 }
 
-TEST(TomlEditor, WhatIsTheSameStaysAsItIsSpelled) {
+TEST(TomlEditor, KeepsSpellingOfEqualValue) {
     EXPECT_EQ(set("a = 6e2\n", {"a"}, 600), "a = 6e2\n");
     EXPECT_EQ(set("a = { b = 0x10, c = +1_000.50 }\n", {"a"}, {{"b", 16}, {"c", 1000.5}}),
               "a = { b = 0x10, c = +1_000.50 }\n");
     EXPECT_EQ(set("a = [1.50, 2.50]\n", {"a"}, {1.5, 3}), "a = [1.50, 3.0]\n");
 }
 
-TEST(TomlEditor, ANumberIsWrittenAsTheOneBeforeIt) {
+TEST(TomlEditor, WritesNumberInStyleOfPreviousOne) {
     EXPECT_EQ(set("a = 1.5\n", {"a"}, 254), "a = 254.0\n");
     EXPECT_EQ(set("a = 40\n", {"a"}, 50), "a = 50\n");
     EXPECT_EQ(set("a = 40\n", {"a"}, 0.1), "a = 0.1\n");
@@ -86,7 +86,7 @@ TEST(TomlEditor, ANumberIsWrittenAsTheOneBeforeIt) {
     EXPECT_EQ(set("a = 1979-05-27\n", {"b"}, 2), "a = 1979-05-27\nb = 2.0\n");
 }
 
-TEST(TomlEditor, ANewKeyGoesBehindTheLastOneOfItsTable) {
+TEST(TomlEditor, AddsNewKeyAfterLastKeyOfTable) {
     EXPECT_EQ(set(kMachine, {"machine", "inverse"}, "gantry"),
               with(kMachine, "as it is called\n", "as it is called\ninverse = \"gantry\"\n"));
     EXPECT_EQ(set(kMachine, {"axis", kSecond, "min_mm"}, 0),
@@ -97,7 +97,7 @@ TEST(TomlEditor, ANewKeyGoesBehindTheLastOneOfItsTable) {
     EXPECT_EQ(set("a = 1", {"d"}, 2), "a = 1\nd = 2");
 }
 
-TEST(TomlEditor, AKeyOfTheDocumentGoesInFrontOfTheTables) {
+TEST(TomlEditor, AddsRootKeyBeforeTables) {
     EXPECT_EQ(set(kMachine, {"ignore"}, ordered_json::array({ordered_json::array({"a", "b"})})),
               with(kMachine, "[machine]", "ignore = [[\"a\", \"b\"]]\n\n[machine]"));
     EXPECT_EQ(set("# Title\n[a]\n", {"b"}, 1), "# Title\n\nb = 1.0\n\n[a]\n");
@@ -109,7 +109,7 @@ TEST(TomlEditor, AKeyOfTheDocumentGoesInFrontOfTheTables) {
               "b = 1.0\n\n[a]\n");
 }
 
-TEST(TomlEditor, WhatIsLackingOnTheWayIsMade) {
+TEST(TomlEditor, CreatesMissingTables) {
     EXPECT_EQ(set(kMachine, {"path", "max_feed_mm_s"}, 100),
               std::string(kMachine) + "\n[path]\nmax_feed_mm_s = 100.0\n");
     EXPECT_EQ(set(kMachine, {"axis", kSecond, "frame", "x_mm"}, 2),
@@ -120,7 +120,7 @@ TEST(TomlEditor, WhatIsLackingOnTheWayIsMade) {
     EXPECT_EQ(set("[a.b]\nc = 1\n", {"a", "d"}, 2), "[a]\nd = 2\n\n[a.b]\nc = 1\n");
 }
 
-TEST(TomlEditor, TablesInBracesKeepTheirStyle) {
+TEST(TomlEditor, KeepsStyleOfInlineTables) {
     EXPECT_EQ(set("a = { x = 1.0 } # c\n", {"a", "y"}, 2), "a = { x = 1.0, y = 2.0 } # c\n");
     EXPECT_EQ(set("a = {x = 1.0}\n", {"a", "x"}, 2), "a = {x = 2.0}\n");
     EXPECT_EQ(set("a = {}\n", {"a", "x"}, 2), "a = { x = 2.0 }\n");
@@ -134,7 +134,7 @@ TEST(TomlEditor, TablesInBracesKeepTheirStyle) {
               "shape = { sphere_mm = 4.0 }\n");
 }
 
-TEST(TomlEditor, DottedAndQuotedKeysAreFound) {
+TEST(TomlEditor, FindsDottedAndQuotedKeys) {
     EXPECT_EQ(set("a.b . \"c d\" = 1 # x\n", {"a", "b", "c d"}, 2), "a.b . \"c d\" = 2 # x\n");
     EXPECT_EQ(set("a.b = 1\n", {"a", "e.f"}, 2), "a.b = 1\na.\"e.f\" = 2\n");
     EXPECT_EQ(set("\"\\u00e4\\t\" = 1\n", {"\xC3\xA4\t"}, 2), "\"\\u00e4\\t\" = 2\n");
@@ -143,14 +143,14 @@ TEST(TomlEditor, DottedAndQuotedKeysAreFound) {
               "[a]\nname = \"B\xC3\xB6hrer\" # \xE2\x82\xAC\n");
 }
 
-TEST(TomlEditor, LineEndsStay) {
+TEST(TomlEditor, KeepsLineEndings) {
     EXPECT_EQ(set("[a]\r\nb = 1 # c\r\n", {"a", "b"}, 2), "[a]\r\nb = 2 # c\r\n");
     EXPECT_EQ(set("[a]\r\nb = 1\r\n", {"a", "c"}, 2), "[a]\r\nb = 1\r\nc = 2\r\n");
     EXPECT_EQ(add("[[a]]\r\nb = 1\r\n", {"a"}, {{"b", 2}}), "[[a]]\r\nb = 1\r\n\r\n[[a]]\r\nb = 2\r\n");
     EXPECT_EQ(removed("[[a]]\r\nb = 1\r\n\r\n[[a]]\r\nb = 2\r\n", {"a", kFirst}), "[[a]]\r\nb = 2\r\n");
 }
 
-TEST(TomlEditor, AFurtherTableGoesToTheEndOfItsKind) {
+TEST(TomlEditor, AddsTableAfterLastOfItsKind) {
     EXPECT_EQ(
         add(std::string(kMachine) + "\n[times]\n", {"axis"}, {{"letter", "Z"}, {"frame", {{"z_mm", 1}}}}),
         std::string(kMachine) + "\n[[axis]]\nletter = \"Z\"\nframe = { z_mm = 1.0 }\n\n[times]\n");
@@ -164,7 +164,7 @@ TEST(TomlEditor, AFurtherTableGoesToTheEndOfItsKind) {
     EXPECT_EQ(add("a = [1]\n", {"a"}, 2), "a = [1, 2]\n");
 }
 
-TEST(TomlEditor, WhatIsRemovedTakesItsCommentsAlong) {
+TEST(TomlEditor, RemovesValueWithItsComments) {
     EXPECT_EQ(removed(kMachine, {"axis", kSecond}),
               with(kMachine, "\n# The second one.\n[[axis]]\nletter = \"Y\"\nmax_mm = 400.0\n", ""));
     EXPECT_EQ(removed(kMachine, {"axis", kFirst}),
@@ -187,7 +187,7 @@ TEST(TomlEditor, WhatIsRemovedTakesItsCommentsAlong) {
     EXPECT_EQ(removed("[a.b]\nc = 1\n[d]\n[a.e]\nf = 1\n", {"a"}), "[d]\n");
 }
 
-TEST(TomlEditor, AnEntryMovesWithItsCommentsAndWhatIsBelowIt) {
+TEST(TomlEditor, MovesEntryWithCommentsAndSubtables) {
     constexpr const char* kThree =
         "[[a]]\nb = 1\n\n# two\n[[a]]\nb = 2\n[a.c]\nd = 2\n\n[[a]]\nb = 3\n\n[e]\n";
     EXPECT_EQ(moved(kThree, {"a", kSecond}, 0),
@@ -214,7 +214,7 @@ constexpr const char* kClamps = R"(clamps = [
 ]
 )";
 
-TEST(TomlEditor, AnElementOfAListKeepsItsCommentsAndTakesThemAlong) {
+TEST(TomlEditor, ListChangeKeepsCommentsOfElements) {
     const auto set_clamps = [](const ordered_json& value) { return set(kClamps, {"clamps"}, value); };
     const std::string left = "  # by the door\n  \"left\", # heavy\n";
     const std::string right = "  # behind\n  # the slats\n  \"right\", # new\n";
@@ -241,7 +241,7 @@ TEST(TomlEditor, AnElementOfAListKeepsItsCommentsAndTakesThemAlong) {
     EXPECT_EQ(set("a = [[1, 2], [3, 4]]\n", {"a"}, {{3, 4}}), "a = [[3, 4]]\n");
 }
 
-TEST(TomlEditor, OfTablesThoseThatStayKeepTheirComments) {
+TEST(TomlEditor, RemainingTablesKeepComments) {
     const ordered_json y{{"letter", "Y"}, {"max_mm", 400}};
     const ordered_json z{{"letter", "Z"}};
     EXPECT_EQ(set(kMachine, {"axis"}, ordered_json::array({y})), removed(kMachine, {"axis", kFirst}));
@@ -249,7 +249,7 @@ TEST(TomlEditor, OfTablesThoseThatStayKeepTheirComments) {
               removed(kMachine, {"axis", kFirst}) + "\n[[axis]]\nletter = \"Z\"\n");
 }
 
-TEST(TomlEditor, AnElementOfAListMovesWithItsComments) {
+TEST(TomlEditor, MovesListElementWithComments) {
     const std::string left = "  # by the door\n  \"left\", # heavy\n";
     const std::string right = "  # behind\n  # the slats\n  \"right\", # new\n";
     EXPECT_EQ(moved(kClamps, {"clamps", kFirst}, 2),
@@ -261,7 +261,7 @@ TEST(TomlEditor, AnElementOfAListMovesWithItsComments) {
     EXPECT_EQ(moved("a = [1,\n  # two\n  2,\n]\n", {"a", kSecond}, 0), "a = [\n  # two\n2,\n  1,\n]\n");
 }
 
-TEST(TomlEditor, WhatCannotBeDoneIsRefusedAndChangesNothing) {
+TEST(TomlEditor, RejectsInvalidChangeAndKeepsText) {
     EXPECT_EQ(set("a = \n", {"a"}, 1).substr(0, 13), "part.toml:1:5");
     EXPECT_EQ(removed(kMachine, {"axis", std::size_t{2}}), "'axis[2]' does not exist and cannot be removed");
     EXPECT_EQ(removed(kMachine, {"tool"}), "'tool' does not exist and cannot be removed");
@@ -289,7 +289,7 @@ TEST(TomlEditor, WhatCannotBeDoneIsRefusedAndChangesNothing) {
     EXPECT_EQ(set(kMachine, TomlPath(40, "a"), 3), "a path may lead through at most 32 tables and lists");
 }
 
-TEST(TomlEditor, WhatStandsInTheWayOfALaterPartTakesBackTheEarlierOnes) {
+TEST(TomlEditor, RevertsEarlierPartsIfLaterPartFails) {
     EXPECT_EQ(set(kMachine, {}, {{"machine", {{"name", "mill"}}}, {"axis", 3}}),
               "'axis' is a list on separate lines; a number cannot replace it");
 }

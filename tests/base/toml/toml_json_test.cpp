@@ -10,7 +10,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-TEST(TomlJson, HasAllThatADocumentSays) {
+TEST(TomlJson, ContainsAllValuesOfDocument) {
     const auto value = toml_json(
         "a = [1, 2.5, true, \"x\"]\nb.c = { d = inf, e = -inf, f = nan }\ng = 1979-05-27\nh = 07:32:00\n"
         "[[i]]\n[[i]]\nj = 1979-05-27T07:32:00Z\n",
@@ -22,7 +22,7 @@ TEST(TomlJson, HasAllThatADocumentSays) {
     EXPECT_EQ(toml_json("a = 1\nb = = 2\n", "part.toml").error().message.substr(0, 14), "part.toml:2:5:");
 }
 
-TEST(TomlJson, AValueIsWrittenOnOneLine) {
+TEST(TomlJson, WritesValueOnOneLine) {
     const auto written = [](const char* value, TomlNumbers numbers) {
         return toml_value(text::parse_json<ordered_json>(value), numbers);
     };
@@ -34,7 +34,7 @@ TEST(TomlJson, AValueIsWrittenOnOneLine) {
     EXPECT_EQ(written("[]", TomlNumbers::floats), "[]");
 }
 
-TEST(TomlJson, WhatIsNoValueOfTomlIsSaid) {
+TEST(TomlJson, ReportsValuesInvalidInToml) {
     const auto error = [](const ordered_json& value) { return find_value_error(value).value_or("").message; };
     EXPECT_EQ(error({1, {{"a", "b"}}}), "");
     EXPECT_EQ(error({{"a", {1, nullptr}}}), "TOML has no null; remove the key instead");
@@ -46,7 +46,7 @@ TEST(TomlJson, WhatIsNoValueOfTomlIsSaid) {
     EXPECT_EQ(error(deep), "lists and objects are nested deeper than 32");
 }
 
-TEST(TomlJson, APlainValueIsToldByItsSpelling) {
+TEST(TomlJson, RecognizesNumberFormatBySpelling) {
     for (const char* integer_spelling : {"1", "+12", "-1_000", "0x1e", "0b1", "0o7"})
         EXPECT_EQ(number_format(integer_spelling), TomlNumberFormat::integer_spelling) << integer_spelling;
     for (const char* decimal : {"1.0", "-1e3", "6E2", "inf", "-nan"})

@@ -30,7 +30,7 @@ Autopath path_of(const std::vector<Contour>& contours, const AutopathOptions& op
     return result ? *result : Autopath{};
 }
 
-TEST(Autopath, ACircleIsCutWithItsLeads) {
+TEST(Autopath, CutsCircleWithLeads) {
     AutopathOptions options;
     options.lead_mm = 2;
     const Autopath result = path_of({geometry::circle({50, 50}, 10)}, options);
@@ -46,7 +46,7 @@ TEST(Autopath, ACircleIsCutWithItsLeads) {
 
 // Plates have random holes at any position: the jet's path is never nearer to a contour than half of the
 // kerf.
-TEST(Autopath, TheJetSparesAllParts) {
+TEST(Autopath, JetStaysHalfKerfOffAllContours) {
     std::mt19937 random(61);
     for (int i = 0; i < 10; ++i) {
         std::vector<Contour> contours = {geometry::rectangle({-60, -60}, {60, 60})};
@@ -75,7 +75,7 @@ TEST(Autopath, TheJetSparesAllParts) {
 }
 
 // Two edges that face each other, nearer than their two leads are deep.
-TEST(Autopath, LeadsKeepAwayFromEachOther) {
+TEST(Autopath, LeadsOfAdjacentPartsDoNotIntersect) {
     std::vector<Contour> contours;
     for (int i = 0; i < 6; ++i) {
         Contour part = geometry::rectangle({15.0 * i, 0}, {15.0 * i + 10, 40});
@@ -103,7 +103,7 @@ TEST(Autopath, LeadsKeepAwayFromEachOther) {
     }
 }
 
-TEST(Autopath, HolesComeBeforeTheirPart) {
+TEST(Autopath, CutsHolesBeforeOutline) {
     const Autopath result = path_of({geometry::rectangle({0, 0}, {100, 50}), geometry::circle({20, 25}, 8),
                                      geometry::circle({80, 25}, 8)});
     const std::vector<JetPath> ways = jet_ways(result.program);
@@ -111,7 +111,7 @@ TEST(Autopath, HolesComeBeforeTheirPart) {
     EXPECT_GT(length_mm(ways[2].jet_path), 300);
 }
 
-TEST(Autopath, ABevelLeansOverTheWaste) {
+TEST(Autopath, BevelTiltsToolOverWaste) {
     AutopathOptions options;
     options.program.bevel_deg = 30;
     const Autopath result = path_of({geometry::rectangle({0, 0}, {40, 30})}, options);
@@ -141,7 +141,7 @@ Point cut_at(const path::Point& point, double depth_mm) {
 }
 
 // A box has a bevel of its own on each side, and a conical hole.
-TEST(Autopath, EdgesHaveBevelsOfTheirOwn) {
+TEST(Autopath, CutsDifferentBevelPerEdge) {
     constexpr double kDepth = 10;
     drawing::Drawing drawing;
     const Contour rectangle = geometry::rectangle({0, 0}, {60, 40});
@@ -191,7 +191,7 @@ TEST(Autopath, EdgesHaveBevelsOfTheirOwn) {
 }
 
 // If the TCP would stand still over the middle of a hole, the tool turns there.
-TEST(Autopath, ATipOverTheMiddleOfAHoleTurnsTheTool) {
+TEST(Autopath, TcpOverHoleCentreGivesValidProgram) {
     AutopathOptions options;
     options.program.bevel_deg = 45;
     options.program.heights.cut_mm = 10 - 0.4 / std::cos(std::numbers::pi / 4);
@@ -199,7 +199,7 @@ TEST(Autopath, ATipOverTheMiddleOfAHoleTurnsTheTool) {
     EXPECT_FALSE(path::validate(result.program));
 }
 
-TEST(Autopath, LiesWhereTheWorkDoesWithTheToolUpright) {
+TEST(Autopath, OriginShiftsPathAndToolStaysVertical) {
     const Autopath current = path_of({geometry::rectangle({0, 0}, {40, 30})}, {});
     AutopathOptions options;
     options.program.origin_mm = {100, 200, 50};
@@ -217,7 +217,7 @@ TEST(Autopath, LiesWhereTheWorkDoesWithTheToolUpright) {
     EXPECT_EQ(std::get<path::Point>(targets.front()).orientation, upright);
 }
 
-TEST(Autopath, AHoleWithoutRoomForAPierceHasNoLead) {
+TEST(Autopath, HoleTooSmallForPierceHasNoLead) {
     const Autopath result =
         path_of({geometry::rectangle({0, 0}, {40, 30}), geometry::circle({20, 15}, 0.42)});
     EXPECT_EQ(result.summary.without_leads, 1U);

@@ -52,13 +52,13 @@ int compare_folder(const fs::path& folder, const std::string& extension, int max
     return count;
 }
 
-TEST(ForeignOffset, LibreCadLibrary) {
+TEST(ExternalOffset, MatchesClipperForLibreCadLibrary) {
     const fs::path library = "/usr/share/librecad/library";
     if (!fs::exists(library)) GTEST_SKIP() << "librecad-data is not installed";
     EXPECT_GT(compare_folder(library, ".dxf", 2000), 100);
 }
 
-TEST(ForeignOffset, InkscapeSymbols) {
+TEST(ExternalOffset, MatchesClipperForInkscapeSymbols) {
     const fs::path symbols = "/usr/share/inkscape/symbols";
     if (!fs::exists(symbols)) GTEST_SKIP() << "the symbols of Inkscape are not installed";
     compare_folder(symbols, ".svg", 2000);

@@ -18,7 +18,7 @@ CutRules rules() {
     return rules;
 }
 
-TEST(Feeds, CornersAreSlowerForTheirZone) {
+TEST(Feeds, ReducesFeedInCornerZones) {
     double slow_mm = 0;
     double sum_mm = 0;
     const std::vector<FeedSegment> edges = assign_feeds(geometry::rectangle({0, 0}, {30, 20}), rules());
@@ -31,19 +31,19 @@ TEST(Feeds, CornersAreSlowerForTheirZone) {
     EXPECT_NEAR(slow_mm, 4 * 2 * 2, 1e-9);
 }
 
-TEST(Feeds, EdgesShorterThanTheirZonesAreSlowAllOver) {
+TEST(Feeds, EdgesShorterThanZonesHaveCornerFeed) {
     for (const FeedSegment& edge : assign_feeds(geometry::rectangle({0, 0}, {3, 1}), rules()))
         EXPECT_EQ(edge.feed_mm_min, 200);
 }
 
-TEST(Feeds, SmallArcsAreSlowerAndSmoothOnesHaveNoCorners) {
+TEST(Feeds, ReducesFeedOnSmallArcsWithoutCornerZones) {
     const auto small = assign_feeds(geometry::circle({}, 3), rules());
     ASSERT_EQ(small.size(), 2U);
     EXPECT_NEAR(small[0].feed_mm_min, 300, 1e-9);
     EXPECT_NEAR(assign_feeds(geometry::circle({}, 30), rules())[0].feed_mm_min, 600, 1e-9);
 }
 
-TEST(Feeds, PartsAddUpForRandomShapes) {
+TEST(Feeds, SegmentsKeepLengthAndAreaOfRandomShapes) {
     std::mt19937 random(5);
     for (int i = 0; i < 50; ++i) {
         const geometry::Contour contour = geometry::star(random, 20, 3, 20, 0.5);

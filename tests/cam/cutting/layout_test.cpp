@@ -20,7 +20,7 @@ std::string error_message(const std::vector<Contour>& contours, double kerf_mm =
     return layout ? "" : layout.error().message;
 }
 
-TEST(Layout, PartsGrowAndHolesShrink) {
+TEST(Layout, OffsetsPartsOutwardAndHolesInward) {
     const auto layout =
         make_layout(drawing_of({geometry::circle({0, 0}, 10), geometry::rectangle({-30, -20}, {30, 20}),
                                 geometry::circle({0, 0}, 4)}),
@@ -34,7 +34,7 @@ TEST(Layout, PartsGrowAndHolesShrink) {
     EXPECT_EQ(layout->outlines[2].parent, 0U);
 }
 
-TEST(Layout, MessagesNameEntityAndPlace) {
+TEST(Layout, ErrorsNameEntityAndPosition) {
     Contour open = geometry::rectangle({0, 0}, {10, 10});
     open.closed = false;
     EXPECT_THAT(error_message({open}),
@@ -52,7 +52,7 @@ TEST(Layout, MessagesNameEntityAndPlace) {
     EXPECT_THAT(error_message({}), HasSubstr("no contour"));
 }
 
-TEST(Layout, AHoleWithANarrowNeckIsCutInTwoLoopsAndThatIsSaid) {
+TEST(Layout, SplitsHoleWithNarrowNeckAndReportsIt) {
     const Contour neck = geometry::polygon({{0, 0},
                                             {10, 0},
                                             {10, 4.6},

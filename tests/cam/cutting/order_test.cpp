@@ -11,7 +11,7 @@ namespace {
 
 using geometry::Contour;
 
-TEST(Order, WhatLiesWithinComesFirst) {
+TEST(Order, CutsInnerContoursFirst) {
     std::mt19937 random(51);
     std::vector<Contour> contours;
     for (int x = 0; x < 4; ++x) {

@@ -33,7 +33,7 @@ double shortest(const std::vector<Stop>& stops, Point start, std::optional<Point
     return best;
 }
 
-TEST(Tour, OfFewStopsItIsNearlyTheShortest) {
+TEST(Tour, FewStopsGiveNearlyShortestTour) {
     std::mt19937 random(41);
     double sum = 0;
     double min = 0;
@@ -62,14 +62,14 @@ TEST(Tour, VisitsEachStopOnce) {
 
 // A shortest tour of n random points in a square of area A has the length 0.7124 sqrt(n A) (Beardwood, Halton
 // and Hammersley, 1959; Johnson and McGeoch, 1997). Heuristics of this kind come within some 10 %.
-TEST(Tour, OfManyStopsItIsNearTheExpectedLength) {
+TEST(Tour, ManyStopsStayNearExpectedLength) {
     std::mt19937 random(43);
     const std::vector<Stop> stops = random_stops(random, 1000, 0);
     const double found = tour_length_mm(stops, short_tour(stops, {0, 0}, {}), {0, 0}, {});
     EXPECT_LE(found, 1.12 * 0.7124 * std::sqrt(1000.0 * 100 * 100));
 }
 
-TEST(Tour, StopsInOnePlaceAndInALineDoNoHarm) {
+TEST(Tour, HandlesCoincidentAndCollinearStops) {
     const std::vector<Stop> same(500, Stop{{1, 1}, {1, 1}});
     EXPECT_EQ(short_tour(same, {0, 0}, {}).size(), 500U);
     std::vector<Stop> line;

@@ -85,7 +85,7 @@ void expect_sound(const Result<Drawing>& drawing) {
     geometry::chain(drawing->drawn_contours, 0.01);
 }
 
-TEST(MangledDrawing, IsReadOrRefused) {
+TEST(CorruptDrawing, IsReadOrRejected) {
     std::mt19937 random(71);
     const std::string plain = dxf();
     for (int i = 0; i < 3000; ++i) {

@@ -20,14 +20,14 @@ std::string circle(const std::string& x, const std::string& y, const std::string
     return groups({{0, "CIRCLE"}, {5, "C1"}, {8, "0"}, {10, x}, {20, y}, {40, r}});
 }
 
-TEST(Dxf, ACircleIsExact) {
+TEST(Dxf, ReadsCircleExactly) {
     const Drawing drawing = dxf_drawing(dxf_of(circle("5", "-3", "7")));
     ASSERT_THAT(areas_of(drawing), ElementsAre(DoubleNear(49 * kPi, 1e-9)));
     EXPECT_EQ(drawing.entities[0].kind, "CIRCLE");
     EXPECT_EQ(drawing.entities[0].name, "C1");
 }
 
-TEST(Dxf, LinesAndAnArcClose) {
+TEST(Dxf, LinesAndArcFormClosedContour) {
     const std::string text =
         dxf_of(groups({{0, "LINE"}, {10, "0"}, {20, "0"}, {11, "10"}, {21, "0"}}) +
                groups({{0, "ARC"}, {10, "10"}, {20, "2"}, {40, "2"}, {50, "270"}, {51, "90"}}) +
@@ -36,7 +36,7 @@ TEST(Dxf, LinesAndAnArcClose) {
     EXPECT_THAT(areas_of(dxf_drawing(text)), ElementsAre(DoubleNear(40 + 2 * kPi, 1e-6)));
 }
 
-TEST(Dxf, BulgesOfBothKindsOfPolylines) {
+TEST(Dxf, ReadsBulgesOfBothPolylineTypes) {
     // A slot of length 10 between half circles of radius 2.
     const std::string light = groups({{0, "LWPOLYLINE"},
                                       {90, "4"},
@@ -74,7 +74,7 @@ TEST(Dxf, BulgesOfBothKindsOfPolylines) {
     }
 }
 
-TEST(Dxf, AnEllipseAndASplineAreWithinTheTolerance) {
+TEST(Dxf, ApproximatesEllipseAndSplineWithinTolerance) {
     const std::string ellipse = groups({{0, "ELLIPSE"},
                                         {10, "1"},
                                         {20, "2"},
@@ -110,7 +110,7 @@ std::string fitted(const std::string& flags, const std::vector<geometry::Point>&
 }
 
 // A smooth curve through points of a circle is nearly that circle.
-TEST(Dxf, ASplineThroughItsFitPoints) {
+TEST(Dxf, InterpolatesSplineThroughFitPoints) {
     std::vector<geometry::Point> points;
     for (int i = 0; i <= 12; ++i) {
         points.push_back({50 + 20 * std::cos(kPi * i / 6), 50 + 20 * std::sin(kPi * i / 6)});
@@ -139,13 +139,13 @@ TEST(Dxf, ASplineThroughItsFitPoints) {
                 HasSubstr("SPLINE 2A has 2 fit points, which have no length"));
 }
 
-TEST(Dxf, EmptyAndBinaryFilesAreRefused) {
+TEST(Dxf, RejectsEmptyAndBinaryFiles) {
     EXPECT_EQ(dxf_fault(""), "line 1: the file ends without EOF: it is truncated, or not a DXF file");
     EXPECT_THAT(dxf_fault(std::string("AutoCAD Binary DXF\r\n\x1a\0\0", 23)),
                 HasSubstr("save it as text (ASCII)"));
 }
 
-TEST(Dxf, BlocksAreScaledTurnedAndRepeated) {
+TEST(Dxf, InsertsBlocksScaledRotatedAndRepeated) {
     const std::string blocks = section(
         "BLOCKS", groups({{0, "BLOCK"}, {2, "hole"}, {10, "1"}, {20, "1"}}) + circle("1", "1", "2") +
                       groups({{0, "ENDBLK"}}) + groups({{0, "BLOCK"}, {2, "pair"}, {10, "0"}, {20, "0"}}) +
@@ -174,7 +174,7 @@ TEST(Dxf, BlocksAreScaledTurnedAndRepeated) {
     EXPECT_NEAR(box.high.x, 100 + 100 * std::cos(kPi / 6) + half_width, 0.01);
 }
 
-TEST(Dxf, UnitsLayersAndMirroredPlanes) {
+TEST(Dxf, AppliesUnitsLayersAndMirroredPlanes) {
     const std::string header = section("HEADER", groups({{9, "$INSUNITS"}, {70, "1"}}));
     const std::string tables = section("TABLES", groups({{0, "TABLE"},
                                                          {2, "LAYER"},
@@ -199,13 +199,13 @@ TEST(Dxf, UnitsLayersAndMirroredPlanes) {
     EXPECT_TRUE(dxf_drawing(dxf_of(mirrored), options).drawn_contours.empty());
 }
 
-TEST(Dxf, WhatIsLeftOutIsSaid) {
+TEST(Dxf, ReportsIgnoredEntities) {
     const Drawing drawing = dxf_drawing(
         dxf_of(circle("0", "0", "1") + groups({{0, "TEXT"}, {1, "part 7"}, {0, "TEXT"}, {1, "x"}})));
     EXPECT_THAT(drawing.notes, ElementsAre("not cut: 2 TEXT"));
 }
 
-TEST(Dxf, MessagesNameEntityAndPlace) {
+TEST(Dxf, ErrorsNameEntityAndSourceLocation) {
     const auto error = [](Groups list) { return dxf_fault(dxf_of(groups(list))); };
     EXPECT_THAT(error({{0, "LINE"}, {5, "2F"}, {10, "3"}, {20, "4"}, {11, "3"}, {21, "4"}}),
                 testing::AllOf(HasSubstr("line 6"), HasSubstr("LINE 2F at (3, 4) has no length")));
@@ -224,7 +224,7 @@ TEST(Dxf, MessagesNameEntityAndPlace) {
                 HasSubstr("flat"));
 }
 
-TEST(Dxf, ABlockThatHoldsItselfEnds) {
+TEST(Dxf, RejectsRecursiveBlock) {
     const std::string blocks = section("BLOCKS", groups({{0, "BLOCK"},
                                                          {2, "a"},
                                                          {0, "INSERT"},
@@ -238,7 +238,7 @@ TEST(Dxf, ABlockThatHoldsItselfEnds) {
     EXPECT_THAT(dxf_fault(text), HasSubstr("does one contain itself?"));
 }
 
-TEST(Dxf, ATruncatedFileIsSeen) {
+TEST(Dxf, RejectsTruncatedFile) {
     const std::string text = dxf_of(circle("5", "-3", "7") + circle("5", "30", "7"));
     for (std::size_t size = 0; size + 5 < text.size(); ++size)
         EXPECT_FALSE(read_dxf(text.substr(0, size), {}));

@@ -18,12 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Foreign : public testing::Test {
+class ExternalDrawings : public testing::Test {
   protected:
-    Foreign() : folder_(fs::temp_directory_path() / fmt::format("gsim-foreign-{}", ::getpid())) {
+    ExternalDrawings() : folder_(fs::temp_directory_path() / fmt::format("gsim-foreign-{}", ::getpid())) {
         fs::create_directories(folder_);
     }
-    ~Foreign() override { fs::remove_all(folder_); }
+    ~ExternalDrawings() override { fs::remove_all(folder_); }
 
     static bool installed(const std::string& program) {
         return std::system(fmt::format("command -v {} >/dev/null", program).c_str()) == 0;
@@ -50,7 +50,7 @@ double polygon_area(double radius, int corners) {
     return corners * radius * radius / 2 * std::sin(2 * std::numbers::pi / corners);
 }
 
-TEST_F(Foreign, OpenScad) {
+TEST_F(ExternalDrawings, ReadsOpenScadFiles) {
     if (!installed("openscad")) GTEST_SKIP() << "openscad is not installed";
     write("part.scad",
           "difference() { square([80, 50]); translate([20, 25]) circle(r = 10, $fn = 64);"
@@ -64,7 +64,7 @@ TEST_F(Foreign, OpenScad) {
     }
 }
 
-TEST_F(Foreign, Inkscape) {
+TEST_F(ExternalDrawings, ReadsInkscapeFile) {
     if (!installed("inkscape")) GTEST_SKIP() << "inkscape is not installed";
     write("part.svg",
           "<svg xmlns='http://www.w3.org/2000/svg' width='80mm' height='50mm' viewBox='0 0 80 50'>"
@@ -78,7 +78,7 @@ TEST_F(Foreign, Inkscape) {
 }
 
 // All parts of LibreCAD are read. Some hold entities without a size, which cannot be cut.
-TEST_F(Foreign, LibreCadLibrary) {
+TEST_F(ExternalDrawings, ReadsLibreCadLibrary) {
     const fs::path library = "/usr/share/librecad/library";
     if (!fs::exists(library)) GTEST_SKIP() << "librecad-data is not installed";
     std::size_t count = 0;

@@ -10,7 +10,7 @@ namespace {
 
 using geometry::Point;
 
-TEST(Nurbs, ABezierIsItsPolynomial) {
+TEST(Nurbs, BezierMatchesPolynomial) {
     const Point a{0, 1}, b{3, 5}, c{-2, 8}, d{4, 4};
     const Nurbs curve = bezier(a, b, c, d);
     for (double t = 0; t <= 1; t += 0.125) {
@@ -21,7 +21,7 @@ TEST(Nurbs, ABezierIsItsPolynomial) {
 }
 
 // The direction against differences, for curves of any degree with weights and uneven knots.
-TEST(Nurbs, TheDirectionIsThatOfTheCurve) {
+TEST(Nurbs, DirectionMatchesDifferenceQuotient) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> value(0.1, 1);
     for (std::size_t degree = 1; degree <= 5; ++degree) {

@@ -27,7 +27,7 @@ std::string with_unit(int code) {
 }
 
 // The codes of $INSUNITS (AutoCAD's DXF reference) in mm.
-TEST(RareDxf, UnitsAreTheirLengths) {
+TEST(RareDxf, ConvertsUnitsAndRejectsUnsupportedUnit) {
     for (const auto& [code, mm] : {std::pair{0, 1.0},
                                    {1, 25.4},
                                    {2, 304.8},
@@ -45,7 +45,7 @@ TEST(RareDxf, UnitsAreTheirLengths) {
 }
 
 // A half disc of radius 2 below a block that is three times as wide as high.
-TEST(RareDxf, ABulgeInABlockOfUnequalScalesIsAnEllipse) {
+TEST(RareDxf, BulgeInUnequallyScaledBlockBecomesEllipse) {
     const std::string blocks = section("BLOCKS", groups({{0, "BLOCK"},
                                                          {2, "a"},
                                                          {0, "LWPOLYLINE"},
@@ -62,7 +62,7 @@ TEST(RareDxf, ABulgeInABlockOfUnequalScalesIsAnEllipse) {
     EXPECT_THAT(areas_of(drawing), ElementsAre(DoubleNear(3 * kPi * 4 / 2, 0.1)));
 }
 
-TEST(RareDxf, APolylineOnOneSpotAndTooManyCopiesAreRefused) {
+TEST(RareDxf, RejectsPolylineWithoutLengthAndTooManyCopies) {
     EXPECT_THAT(
         dxf_fault(dxf_of(groups({{0, "LWPOLYLINE"}, {90, "2"}, {10, "3"}, {20, "4"}, {10, "3"}, {20, "4"}}))),
         HasSubstr("at (3, 4) has no length"));
@@ -83,7 +83,7 @@ std::string fault_with(const std::function<void(Nurbs&)>& spoil) {
     return find_curve_error(curve).value_or("").message;
 }
 
-TEST(RareDxf, CurvesThatAreNoneSayWhy) {
+TEST(RareDxf, ReportsReasonForInvalidCurves) {
     EXPECT_EQ(find_curve_error(parabola()), std::nullopt);
     EXPECT_THAT(fault_with([](Nurbs& curve) { curve.degree = 0; }),
                 HasSubstr("has degree 0; supported are 1 to "));

@@ -29,7 +29,7 @@ std::string error(const std::string& content) {
 }
 
 // SVG 2, 5.6.2: width and height of the use; else those of the symbol; else all of the page around it.
-TEST(SvgPages, AUseSaysHowLargeASymbolIs) {
+TEST(SvgPages, UseSetsSizeOfSymbol) {
     const std::string symbol = "<symbol id='s' viewBox='0 0 10 20'{}><rect width='10' height='20'/></symbol>";
     const auto used = [&](const char* size_of_symbol, const char* size_of_use) {
         return areas_in(fmt::format(fmt::runtime(symbol), size_of_symbol) +
@@ -44,7 +44,7 @@ TEST(SvgPages, AUseSaysHowLargeASymbolIs) {
     EXPECT_THAT(used(" preserveAspectRatio='none'", ""), ElementsAre(DoubleNear(100 * 50, 1e-6)));
 }
 
-TEST(SvgPages, AnInnerPageIsScaledAndInTheMiddle) {
+TEST(SvgPages, ScalesAndCentresInnerPage) {
     const Drawing drawing =
         svg_drawing(svg_of("<svg x='10' y='10' width='20' height='40' viewBox='5 5 10 10'><circle cx='10' "
                            "cy='10' r='5'/></svg>"));
@@ -57,7 +57,7 @@ TEST(SvgPages, AnInnerPageIsScaledAndInTheMiddle) {
     EXPECT_THAT(areas_in("<svg x='50'><rect width='3' height='2'/></svg>"), ElementsAre(DoubleNear(6, 1e-6)));
 }
 
-TEST(SvgPages, APageOfOneSideKeepsItsShape) {
+TEST(SvgPages, PageWithOneSideKeepsAspectRatio) {
     EXPECT_THAT(areas_of(svg_drawing("<svg width='50mm' viewBox='0 0 10 20'><rect width='10' height='20'/>"
                                      "</svg>")),
                 ElementsAre(DoubleNear(50 * 100, 1e-6)));
@@ -66,7 +66,7 @@ TEST(SvgPages, APageOfOneSideKeepsItsShape) {
                 ElementsAre(DoubleNear(25 * 50, 1e-6)));
 }
 
-TEST(SvgPages, WhatIsWrongWithAPageNamesItsLine) {
+TEST(SvgPages, PageErrorsNameLine) {
     EXPECT_THAT(error("<svg viewBox='0 0 10'/>"),
                 HasSubstr("line 2: svg has viewBox=\"0 0 10\"; it must have four"));
     EXPECT_THAT(error("<svg viewBox='0 0 10 0'/>"), HasSubstr("line 2: svg has a viewBox without a size"));

@@ -32,7 +32,7 @@ std::string path_of(const std::string& data) {
     return fmt::format("<path id=\"p\" d=\"{}\"/>", data);
 }
 
-TEST(Svg, BasicShapes) {
+TEST(Svg, ReadsBasicShapes) {
     EXPECT_THAT(areas_in("<rect x='1' y='2' width='30' height='20'/>"), ElementsAre(DoubleNear(600, 1e-6)));
     EXPECT_THAT(areas_in("<rect width='30' height='20' rx='3'/>"),
                 ElementsAre(DoubleNear(600 - (4 - kPi) * 9, 1e-6)));
@@ -45,7 +45,7 @@ TEST(Svg, BasicShapes) {
 }
 
 // As older Inkscapes and CAD programs write them.
-TEST(Svg, ShapesWithThePrefixOfTheirNamespace) {
+TEST(Svg, ReadsShapesWithNamespacePrefix) {
     EXPECT_THAT(areas_in("<svg:rect width='30' height='20'/>"), ElementsAre(DoubleNear(600, 1e-6)));
     EXPECT_THAT(areas_in("<svg:g><svg:circle cx='10' cy='20' r='5'/></svg:g>"),
                 ElementsAre(DoubleNear(25 * kPi, 1e-6)));
@@ -53,7 +53,7 @@ TEST(Svg, ShapesWithThePrefixOfTheirNamespace) {
     EXPECT_THAT(areas_in("<svg:polygon points='0,0 10,0 0,8'/>"), ElementsAre(DoubleNear(40, 1e-6)));
 }
 
-TEST(Svg, YPointsUpAndThePageIsInMm) {
+TEST(Svg, ConvertsToMmWithYUp) {
     const Drawing drawing = svg_drawing(svg_of("<circle cx='10' cy='20' r='5'/>"));
     const geometry::Box box = bounding_box(drawing.drawn_contours[0]);
     EXPECT_NEAR(box.low.x, 5, 1e-9);
@@ -66,7 +66,7 @@ TEST(Svg, YPointsUpAndThePageIsInMm) {
     EXPECT_THAT(areas_of(inch), ElementsAre(DoubleNear(25.4 * 25.4, 1e-6)));
 }
 
-TEST(Svg, PathDataAbsoluteAndRelativeAgree) {
+TEST(Svg, AbsoluteAndRelativePathDataAgree) {
     const double half_disc = 100 + kPi * 25 / 2;  // a square of 10 with a half disc on one side
     for (const char* data : {"M0 0 H10 V10 A5 5 0 0 1 0 10 Z", "m0,0h10v10a5,5 0 0 1 -10,0z",
                              "M 0 0 10 0 10 10 A 5 5 0 01 0 10 L 0 0", "m0 0 10 0 0 10a5 5 0 01-10 0z"}) {
@@ -86,7 +86,7 @@ TEST(Svg, PathDataAbsoluteAndRelativeAgree) {
                 ElementsAre(DoubleNear(1, 1e-9), DoubleNear(4, 1e-9)));
 }
 
-TEST(Svg, ArcsTakeTheRightOneOfFour) {
+TEST(Svg, SelectsCorrectArcOfFour) {
     // The larger part of a disc of radius 5 over a chord of 6, and the smaller one.
     const double half_angle = std::asin(0.6);
     const double small = 25 * (half_angle - std::sin(2 * half_angle) / 2);
@@ -101,7 +101,7 @@ TEST(Svg, ArcsTakeTheRightOneOfFour) {
 }
 
 // Clockwise and counter-clockwise: a quarter of an ellipse within 0.005 mm takes some arcs, not thousands.
-TEST(Svg, EllipsesEitherWayRound) {
+TEST(Svg, ApproximatesEllipsesInBothDirectionsWithFewArcs) {
     for (const char* sweep : {"0", "1"}) {
         const Drawing drawing = svg_drawing(
             svg_of(path_of(fmt::format("M10 20A10 5 0 0 {} 30 20A10 5 0 0 {} 10 20Z", sweep, sweep))));
@@ -114,7 +114,7 @@ TEST(Svg, EllipsesEitherWayRound) {
     EXPECT_LT(stretched.drawn_contours[0].edges(), 100U);
 }
 
-TEST(Svg, TransformsGroupsAndUses) {
+TEST(Svg, AppliesTransformsGroupsAndUses) {
     EXPECT_THAT(
         areas_in(
             "<g transform='translate(3 4) scale(2)'><g transform='rotate(30 5 5)'><circle r='5'/></g></g>"),
@@ -129,7 +129,7 @@ TEST(Svg, TransformsGroupsAndUses) {
                 ElementsAre());
 }
 
-TEST(Svg, StyleSheetsHide) {
+TEST(Svg, StyleSheetsHideShapes) {
     const std::string shapes =
         "<rect width='1' height='1' class='a frame'/><rect id='b' width='2' height='1'/>"
         "<circle r='1' class='frame'/><rect width='4' height='1' class='frame' style='display:inline'/>";
@@ -154,13 +154,13 @@ TEST(Svg, StyleSheetsHide) {
                                            HasSubstr("'@media print'")));
 }
 
-TEST(Svg, WhatIsVisibleInAHiddenGroupIsCut) {
+TEST(Svg, VisibleGroupInHiddenGroupIsCut) {
     EXPECT_THAT(areas_in("<g visibility='hidden'><rect width='1' height='1'/>"
                          "<g visibility='visible'><rect width='2' height='1'/></g></g>"),
                 ElementsAre(DoubleNear(2, 1e-6)));
 }
 
-TEST(Svg, MessagesNameElementAndPlace) {
+TEST(Svg, ErrorsNameElementAndLine) {
     const auto error = [](const std::string& content) { return svg_fault(svg_of(content)); };
     EXPECT_THAT(error(path_of("M0 0 L10")),
                 HasSubstr("line 3: path p has path data that cannot be read at character"));

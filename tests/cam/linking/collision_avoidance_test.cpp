@@ -83,7 +83,7 @@ path::Program cuts_at(const std::vector<path::Vector>& places, const path::ToolA
     return program;
 }
 
-class ClearWays : public ::testing::Test {
+class CollisionAvoidance : public ::testing::Test {
   protected:
     LinkingResult lead(path::Program& program, const std::string& objects, Origin origin = {}) {
         cell_ = cell_of(machine_, objects);
@@ -128,7 +128,7 @@ class ClearWays : public ::testing::Test {
 
 const std::vector<path::Vector> kTwo{{300, 300, 100}, {500, 300, 100}};
 
-TEST_F(ClearWays, WithNothingInTheWayTheProgramStaysAsItIs) {
+TEST_F(CollisionAvoidance, KeepsProgramWithoutObstacles) {
     path::Program program = cuts_at(kTwo);
     const path::Program before = program;
     const LinkingResult linking = lead(program, box("far", "50, 50, 50", 900, 900, 25));
@@ -138,7 +138,7 @@ TEST_F(ClearWays, WithNothingInTheWayTheProgramStaysAsItIs) {
     EXPECT_TRUE(linking.errors.empty());
 }
 
-TEST_F(ClearWays, AClampBetweenTwoCutsIsPassedAbove) {
+TEST_F(CollisionAvoidance, ReroutesRapidAroundClampBetweenCuts) {
     path::Program program = cuts_at(kTwo);
     const LinkingResult linking = lead(program, box("clamp", "20, 100, 160", 410, 300, 80));  // up to 160
     EXPECT_EQ(linking.changed, 1U);
@@ -150,7 +150,7 @@ TEST_F(ClearWays, AClampBetweenTwoCutsIsPassedAbove) {
     EXPECT_NEAR(cuts_[1][2], 100, 1e-9);
 }
 
-TEST_F(ClearWays, AnOriginOfTheProgramCounts) {
+TEST_F(CollisionAvoidance, AppliesProgramOrigin) {
     path::Program program = cuts_at({{100, 100, 40}, {300, 100, 40}});
     const LinkingResult linking =
         lead(program, box("clamp", "20, 100, 160", 410, 300, 80), {{'X', 200}, {'Y', 200}, {'Z', 60}});
@@ -161,7 +161,7 @@ TEST_F(ClearWays, AnOriginOfTheProgramCounts) {
 }
 
 // With a roof over both cuts and a wall between them, the clear path is neither straight nor up.
-TEST_F(ClearWays, UnderARoofAWallIsPassedAtItsSide) {
+TEST_F(CollisionAvoidance, ReroutesPastWallUnderRoof) {
     path::Program program = cuts_at(kTwo);
     const std::string objects = box("wall", "20, 300, 160", 410, 300, 80) +  // y from 150 to 450
                                 box("roof", "700, 360, 20", 410, 300, 205);  // from z = 195 on
@@ -171,7 +171,7 @@ TEST_F(ClearWays, UnderARoofAWallIsPassedAtItsSide) {
     EXPECT_GE(least_mm_, 3 - 1e-6);
 }
 
-TEST_F(ClearWays, ALeaningToolStandsAgainAsItStood) {
+TEST_F(CollisionAvoidance, KeepsToolAxisAfterRerouting) {
     const double half = std::sqrt(0.5);
     path::Program program = cuts_at(kTwo, {{half, 0, half}});
     const LinkingResult linking = lead(program, box("clamp", "20, 100, 160", 430, 300, 80));
@@ -183,7 +183,7 @@ TEST_F(ClearWays, ALeaningToolStandsAgainAsItStood) {
 }
 
 // Each axis moves independently: X arrives long before B has turned, so the path is not the straight one.
-TEST_F(ClearWays, RapidsThatAreNotInterpolatedAreLookedAtAsTheyGo) {
+TEST_F(CollisionAvoidance, ChecksActualPathOfUncoordinatedRapids) {
     machine_ = pin_machine(false);
     path::Program program = cuts_at({{300, 300, 100}, {500, 380, 100}});
     // The post is on neither straight path, but next to it: X and Y first move at the same speed, at 45
@@ -197,7 +197,7 @@ TEST_F(ClearWays, RapidsThatAreNotInterpolatedAreLookedAtAsTheyGo) {
     EXPECT_EQ(lead(straight, box("post", "10, 10, 200", 392, 372, 100)).changed, 0U);
 }
 
-TEST_F(ClearWays, ACutThatAClampIsInTheWayOfIsNamed) {
+TEST_F(CollisionAvoidance, ReportsCutBlockedByClamp) {
     path::Program program = cuts_at(kTwo);
     const LinkingResult linking = lead(program, box("clamp", "10, 100, 160", 518, 300, 80));
     ASSERT_EQ(linking.errors.size(), 1U);
@@ -207,7 +207,7 @@ TEST_F(ClearWays, ACutThatAClampIsInTheWayOfIsNamed) {
 }
 
 // The pin passes over it, the jet does not.
-TEST_F(ClearWays, TheJetIsLookedAtWhereItIsOn) {
+TEST_F(CollisionAvoidance, ChecksJetWhileProcessIsOn) {
     path::Program program = cuts_at(kTwo);
     const LinkingResult linking = lead(program, box("cable", "4, 100, 4", 510, 300, 90));
     ASSERT_EQ(linking.errors.size(), 1U);
@@ -215,7 +215,7 @@ TEST_F(ClearWays, TheJetIsLookedAtWhereItIsOn) {
         << linking.errors[0].message;
 }
 
-TEST_F(ClearWays, APlaceThatIsWalledInIsNotReached) {
+TEST_F(CollisionAvoidance, ReportsUnreachableEnclosedPosition) {
     path::Program program = cuts_at(kTwo);
     std::string walls = box("lid", "200, 200, 10", 510, 300, 200);
     walls += box("w1", "10, 200, 210", 415, 300, 95) + box("w2", "10, 200, 210", 605, 300, 95);
@@ -228,7 +228,7 @@ TEST_F(ClearWays, APlaceThatIsWalledInIsNotReached) {
 }
 
 // The end of the last path leads up into a body, but no move needs to reach it.
-TEST_F(ClearWays, BehindTheLastCutTheToolGoesNoFartherThanItCan) {
+TEST_F(CollisionAvoidance, RetractAfterLastCutAvoidsContact) {
     path::Program program = cuts_at(kTwo);
     const LinkingResult linking = lead(program, box("beam", "20, 100, 20", 520, 300, 195));  // from 185 on
     EXPECT_TRUE(linking.errors.empty()) << linking.errors.front().message;

@@ -75,19 +75,19 @@ struct Room {
     }
 };
 
-TEST(WaySearch, NothingInTheWayIsOneStraightWay) {
+TEST(PathSearch, FindsStraightPathWithoutObstacles) {
     Room room(at({0, 0}), at({100, 100}), {});
     EXPECT_EQ(search_path(room.space, at({10, 10}), at({90, 90}), kQuestions), (AxisPath{at({90, 90})}));
 }
 
 // The path passes one edge of a wall; the shortest path is two straight lines over it.
-TEST(WaySearch, GoesRoundAWall) {
+TEST(PathSearch, FindsPathAroundWall) {
     Room room(at({0, 0}), at({100, 100}), {{{45, -1}, {55, 60}}});
     const double shortest = 2 * std::hypot(35, 50) + 10;
     room.expect_way(at({10, 10}), at({90, 10}), 1.15 * shortest);
 }
 
-TEST(WaySearch, FindsADoorInThreeDimensions) {
+TEST(PathSearch, FindsDoorInThreeDimensions) {
     // A wall across the space with a door of 12 by 12.
     const std::vector<Box> walls{{{48, -1, -1}, {52, 70, 101}},
                                  {{48, 82, -1}, {52, 101, 101}},
@@ -100,19 +100,19 @@ TEST(WaySearch, FindsADoorInThreeDimensions) {
 }
 
 // The path is clear only if the last axis is turned, and that axis must turn back after it.
-TEST(WaySearch, TurnsToComeThrough) {
+TEST(PathSearch, RotatesAxisToPassObstacle) {
     std::vector<Box> walls{{{40, -1, -101}, {60, 101, 40}}};  // passable with the third axis above 40
     Room room(at({0, 0, -100}), at({100, 100, 100}), walls);
     room.expect_way(at({10, 50, 0}), at({90, 50, 0}), 1.2 * (2 * std::hypot(30, 40) + 20));
 }
 
-TEST(WaySearch, TellsThatThereIsNone) {
+TEST(PathSearch, ReturnsNothingIfNoPathExists) {
     Room room(at({0, 0}), at({100, 100}), {{{45, -1}, {55, 101}}});
     EXPECT_FALSE(search_path(room.space, at({10, 10}), at({90, 10}), kQuestions));
     EXPECT_LE(room.questions, 3 * kQuestions + 10);
 }
 
-TEST(WaySearch, IsTheSameEachTime) {
+TEST(PathSearch, IsDeterministic) {
     Room room(at({0, 0}), at({100, 100}), {{{45, -1}, {55, 60}}, {{20, 30}, {40, 101}}});
     const auto first = search_path(room.space, at({10, 10}), at({90, 10}), kQuestions);
     const auto second = search_path(room.space, at({10, 10}), at({90, 10}), kQuestions);
@@ -120,7 +120,7 @@ TEST(WaySearch, IsTheSameEachTime) {
     EXPECT_EQ(*first, *second);
 }
 
-TEST(WaySearch, ShorteningKeepsItClearAndNoLonger) {
+TEST(PathSearch, ShortcutIsFasterAndStaysClear) {
     Room room(at({0, 0}), at({100, 100}), {{{45, -1}, {55, 60}}});
     const AxisPath round{at({10, 95}), at({50, 95}), at({70, 99}), at({90, 70}), at({90, 10})};
     const AxisPath less = shortcut(room.space, at({10, 10}), round);

@@ -26,7 +26,7 @@ TEST(CellMesh, IsReadFromStepAndIges) {
     }
 }
 
-TEST(CellMesh, IsRefusedWhereItIsTooLargeOrDamaged) {
+TEST(CellMesh, RejectsTooLargeOrDamagedFile) {
     const solid::SolidFolder folder;
     const auto large = load_mesh(folder.step("far.step", solid::box({0, 0, 0}, {2e6, 1, 1})), 1);
     ASSERT_FALSE(large);

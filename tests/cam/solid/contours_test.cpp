@@ -51,7 +51,7 @@ class Contours : public testing::Test {
     std::filesystem::path file_;
 };
 
-TEST_F(Contours, AnEdgeChoosesTheContourThatHasIt) {
+TEST_F(Contours, EdgeNumberSelectsItsContour) {
     const std::string edge = edge_at(60);
     for (const std::string& number : {edge, edge.substr(1)}) {
         const WallContours one = read({.kind = "holes", .edges = {number}});
@@ -67,7 +67,7 @@ TEST_F(Contours, AnEdgeChoosesTheContourThatHasIt) {
     EXPECT_EQ(read({.kind = "holes"}).contours.size(), 2U);
 }
 
-TEST_F(Contours, ManyEdgesOfOneContourChooseItOnce) {
+TEST_F(Contours, SeveralEdgesSelectContourOnce) {
     const WallContours outline = read({.kind = "outlines"});
     ASSERT_EQ(outline.contours.size(), 1U);
     ContourOptions options{.kind = "all"};
@@ -77,7 +77,7 @@ TEST_F(Contours, ManyEdgesOfOneContourChooseItOnce) {
     EXPECT_EQ(one.contours.front().edges.size(), 4U);
 }
 
-TEST_F(Contours, AnEdgeThatChoosesNothingIsRefusedByItsNumber) {
+TEST_F(Contours, ErrorNamesEdgeWithoutSelectedContour) {
     EXPECT_THAT(rejection({.edges = {"#99999"}}), HasSubstr("it has no edge with the number '#99999'"));
     EXPECT_THAT(rejection({.edges = {""}}), HasSubstr("it has no edge with the number ''"));
     const std::string hole = edge_at(60);
@@ -91,7 +91,7 @@ TEST_F(Contours, AnEdgeThatChoosesNothingIsRefusedByItsNumber) {
                           " does not belong to a selected contour: it belongs to one that does not face z"));
 }
 
-TEST_F(Contours, AnEdgeOfWhatIsNoContourSaysWhy) {
+TEST_F(Contours, ReportsReasonForEdgeOfBlindHole) {
     // The blind hole's contour is reported if all are cut, with no number of an edge.
     const WallContours all = read({.kind = "holes"});
     ASSERT_EQ(all.notes.size(), 2U);
@@ -103,7 +103,7 @@ TEST_F(Contours, AnEdgeOfWhatIsNoContourSaysWhy) {
         HasSubstr("edge " + blind + " does not belong to a selected contour: a hole of the plane face #"));
 }
 
-TEST_F(Contours, EdgesMakeChainsWithMaterialToTheirLeft) {
+TEST_F(Contours, ChainsEdgesWithMaterialOnLeft) {
     const std::string front = edge_between(file_, {0, 0, 0}, {80, 0, 0});
     const std::string right = edge_between(file_, {80, 0, 0}, {80, 50, 0});
     const std::string left = edge_between(file_, {0, 0, 0}, {0, 50, 0});
@@ -129,7 +129,7 @@ TEST_F(Contours, EdgesMakeChainsWithMaterialToTheirLeft) {
     for (const WallContour& each : apart.contours) EXPECT_TRUE(each.is_open);
 }
 
-TEST_F(Contours, ChainsThatCloseAreOutlinesOrHoles) {
+TEST_F(Contours, ClosedChainsAreOutlinesOrHoles) {
     ContourOptions around{.kind = "edges"};
     const WallContours walls = read({.kind = "outlines"});
     for (const WallEdge& edge : walls.contours.front().edges) around.edges.push_back(edge.label);
@@ -146,7 +146,7 @@ TEST_F(Contours, ChainsThatCloseAreOutlinesOrHoles) {
                 HasSubstr("it has no edge with the number '#99999'"));
 }
 
-TEST_F(Contours, ChainsComeWithWhatElseAJetCouldComeInto) {
+TEST_F(Contours, ChainsListOtherEdgesAsObstacles) {
     const WallContours front = read({.kind = "edges", .edges = {edge_between(file_, {0, 0, 0}, {80, 0, 0})}});
     const auto has = [&](const Position& a, const Position& b) {
         const std::string name = "edge " + edge_between(file_, a, b);
@@ -162,7 +162,7 @@ TEST_F(Contours, ChainsComeWithWhatElseAJetCouldComeInto) {
 }
 
 // Such a file does not distinguish them.
-TEST_F(Contours, EdgesOfAnIgesFileHaveNoNumbers) {
+TEST_F(Contours, IgesEdgesHaveNoNumbers) {
     const auto file =
         folder_.iges("plate.iges", without(box({0, 0, -10}, {80, 50, 0}), {cylinder({20, 25, -11}, 8, 12)}));
     const auto all = read_contours(file, {.kind = "all"});
@@ -176,7 +176,7 @@ TEST_F(Contours, EdgesOfAnIgesFileHaveNoNumbers) {
     EXPECT_THAT(requested.error().message, HasSubstr("it has no edge with the number '57'"));
 }
 
-TEST_F(Contours, InAnAssemblyShapesGoByTheNumbersOfTheirPart) {
+TEST_F(Contours, AssemblyInstancesShareEdgeNumbers) {
     const TopoDS_Shape plate = without(box({0, 0, -10}, {80, 50, 0}), {cylinder({20, 25, -11}, 8, 12)});
     gp_Trsf lateral;
     lateral.SetTranslation(gp_Vec(200, 0, 0));

@@ -70,7 +70,7 @@ void expect_sound(const Result<WallContours>& part, const std::string& name) {
     }
 }
 
-TEST(MangledSolid, NeitherHangsNorCrashes) {
+TEST(CorruptSolid, IsReadOrRejectedWithFileName) {
     const SolidFolder folder;
     std::mt19937 random(20);
     const TopoDS_Shape body = without(box({0, 0, -10}, {80, 50, 0}),

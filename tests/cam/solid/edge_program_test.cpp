@@ -58,7 +58,7 @@ Points on_stretches(const std::vector<Vector3d>& corners, double depth_mm) {
     return points;
 }
 
-TEST_F(EdgeProgram, AnEdgeChoosesItsContour) {
+TEST_F(EdgeProgram, EdgeNumberSelectsItsContour) {
     const std::string bracket = sample("parts/bracket.step");
     // The error names an edge of the hole that is narrower than this kerf.
     const Ended narrow = autopath(bracket, {"--contours", "holes", "--box-low", "-45", "0", "0"}, "19");
@@ -72,7 +72,7 @@ TEST_F(EdgeProgram, AnEdgeChoosesItsContour) {
     EXPECT_TRUE(contains(autopath(bracket, {"--edge", edge}).err, "--edge requires --contours"));
 }
 
-TEST_F(EdgeProgram, ThreeSidesOfAPlateAreCutAndTheFourthIsNot) {
+TEST_F(EdgeProgram, CutsOnlySelectedSidesOfPlate) {
     const std::string plate = step("plate.step", solid::box({0, 0, -10}, {80, 50, 0}));
     const auto jet_path =
         jets(plate, {600, 600, 120}, cut(edges(plate, {{0, 0, 0}, {80, 0, 0}, {80, 50, 0}, {0, 50, 0}})));
@@ -90,7 +90,7 @@ TEST_F(EdgeProgram, ThreeSidesOfAPlateAreCutAndTheFourthIsNot) {
     }
 }
 
-TEST_F(EdgeProgram, ACornerWithinAChainThatClosesIsTrimmed) {
+TEST_F(EdgeProgram, TrimsInnerCornerOfChain) {
     const std::string angle = step("angle.step", solid::without(solid::box({0, 0, -6}, {60, 60, 0}),
                                                                 {solid::box({30, 30, -7}, {61, 61, 1})}));
     const auto jet_path =
@@ -106,7 +106,7 @@ TEST_F(EdgeProgram, ACornerWithinAChainThatClosesIsTrimmed) {
     }
 }
 
-TEST_F(EdgeProgram, WallsThatLeanAreCutAlongAndAboutTheirCorner) {
+TEST_F(EdgeProgram, CutsTiltedWallsAndTheirCorner) {
     // Larger below by 5 mm on each side over 10 mm: the walls lean by 26.6 degrees.
     const std::string block = step("block.step", solid::frustum({0, 0, -10}, 90, 70, 80, 60, 10));
     const auto jet_path =
@@ -119,7 +119,7 @@ TEST_F(EdgeProgram, WallsThatLeanAreCutAlongAndAboutTheirCorner) {
     }
 }
 
-TEST_F(EdgeProgram, TheFrontEdgeOfABentBracketIsCutRoundItsBend) {
+TEST_F(EdgeProgram, CutsFrontEdgeAroundBendOfBracket) {
     using B = Bracket;
     const double bend = B::kBend_deg * kRadPerDeg;
     const double inner = B::kOuterRadius_mm - B::kThickness_mm;
@@ -154,7 +154,7 @@ TEST_F(EdgeProgram, TheFrontEdgeOfABentBracketIsCutRoundItsBend) {
     }
 }
 
-TEST_F(EdgeProgram, BridgesStayOnAChainButNotAtItsEnds) {
+TEST_F(EdgeProgram, KeepsBridgesAwayFromChainEnds) {
     const std::string plate = step("plate.step", solid::box({0, 0, -10}, {80, 50, 0}));
     auto options = cut(edges(plate, {{0, 0, 0}, {80, 0, 0}}));
     options.insert(options.end(), {"--bridges", "2", "--bridge-width", "4"});
@@ -167,7 +167,7 @@ TEST_F(EdgeProgram, BridgesStayOnAChainButNotAtItsEnds) {
         EXPECT_NEAR(distance_mm({middle, -kKerf_mm / 2, 0}, jet_path), 2 + kKerf_mm / 2, 0.02);
 }
 
-TEST_F(EdgeProgram, WithoutRoomBeyondItsEndsAChainHasNoLeads) {
+TEST_F(EdgeProgram, ChainWithoutRoomAtEndsHasNoLeads) {
     using B = Bracket;
     // Half of the slot: straight on beyond its ends is the other half.
     const std::string bracket = sample("parts/bracket.step");
@@ -188,7 +188,7 @@ TEST_F(EdgeProgram, WithoutRoomBeyondItsEndsAChainHasNoLeads) {
                jet_path);
 }
 
-TEST_F(EdgeProgram, WhatIsNoEdgeToCutIsRefusedWithItsPlace) {
+TEST_F(EdgeProgram, RejectsUncuttableEdgeWithPosition) {
     const std::string plate = step("plate.step", solid::box({0, 0, -10}, {80, 50, 0}));
     const auto rejection = [&](const std::string& part, const std::vector<solid::Position>& places,
                                const std::vector<std::string>& more = {}) {
@@ -222,7 +222,7 @@ TEST_F(EdgeProgram, WhatIsNoEdgeToCutIsRefusedWithItsPlace) {
     EXPECT_TRUE(contains(foot, "it is at the foot of the plane face #")) << foot;
 }
 
-TEST_F(EdgeProgram, AChainThatEndsInACornerThatClosesIsRefused) {
+TEST_F(EdgeProgram, RejectsChainEndingInInnerCorner) {
     const std::string angle = step("angle.step", solid::without(solid::box({0, 0, -6}, {60, 60, 0}),
                                                                 {solid::box({30, 30, -7}, {61, 61, 1})}));
     const Ended into = autopath(angle, edges(angle, {{60, 30, 0}, {30, 30, 0}}));
@@ -231,7 +231,7 @@ TEST_F(EdgeProgram, AChainThatEndsInACornerThatClosesIsRefused) {
         << into.err;
 }
 
-TEST_F(EdgeProgram, BranchesAreRefused) {
+TEST_F(EdgeProgram, RejectsBranchingChain) {
     // A block on its corner, turned so that one of its faces points up most.
     const TopoDS_Shape block = solid::turned(
         solid::turned(solid::box({0, 0, 0}, {30, 30, 30}), {0, 0, 1}, 0.7), {1, 0, 0}, 0.5, {0, 0, 0});

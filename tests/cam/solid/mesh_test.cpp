@@ -61,7 +61,7 @@ TopoDS_Shape drilled_plate() {
 // A frustum of a cone: pi h (R^2 + R r + r^2) / 3.
 const double kDrilledVolume = 80 * 50 * 10 - kPi * 64 * 10 - kPi * 10 * (36 + 72 + 144) / 3.0;
 
-TEST(SolidMesh, HasTheVolumeOfTheBodyAndNoGaps) {
+TEST(SolidMesh, KeepsVolumeAndIsWatertight) {
     const SolidFolder folder;
     for (const auto& file :
          {folder.step("plate.step", drilled_plate()), folder.step("plate.STP", drilled_plate()),
@@ -72,7 +72,7 @@ TEST(SolidMesh, HasTheVolumeOfTheBodyAndNoGaps) {
     }
 }
 
-TEST(SolidMesh, IsNoFurtherOffThanTheTolerance) {
+TEST(SolidMesh, StaysWithinTolerance) {
     const SolidFolder folder;
     const auto file = folder.step("ball.step", sphere({1, 2, 3}, 40));
     for (const double tolerance : {0.5, 0.05}) {
@@ -90,7 +90,7 @@ TEST(SolidMesh, IsNoFurtherOffThanTheTolerance) {
     }
 }
 
-TEST(SolidMesh, LengthsAreInMillimetresWhateverTheUnit) {
+TEST(SolidMesh, ConvertsFileUnitsToMm) {
     const SolidFolder folder;
     const TopoDS_Shape body = box({0, 0, 0}, {10, 20, 30});
     for (const auto& file : {folder.step("inch.step", body, "INCH"), folder.step("m.step", body, "M"),
@@ -100,7 +100,7 @@ TEST(SolidMesh, LengthsAreInMillimetresWhateverTheUnit) {
     EXPECT_THAT(text, HasSubstr("INCH"));
 }
 
-TEST(SolidMesh, SeveralBodiesAndTurnedOnesAreAllThere) {
+TEST(SolidMesh, ReadsSeveralAndRotatedBodies) {
     const SolidFolder folder;
     const TopoDS_Shape body = box({0, 0, 0}, {10, 20, 30});
     const auto file = folder.step("two.step", together({body, turned(body, {1, 2, 3}, 1, {100, 0, 0})}));
@@ -109,7 +109,7 @@ TEST(SolidMesh, SeveralBodiesAndTurnedOnesAreAllThere) {
     EXPECT_TRUE(is_watertight(mesh));
 }
 
-TEST(SolidMesh, SaysWhatIsWrongWithAFile) {
+TEST(SolidMesh, ReportsErrorsOfFile) {
     const SolidFolder folder;
     EXPECT_THAT(error_of(folder.path("none.step")), HasSubstr("none.step': No such file"));
     EXPECT_THAT(error_of(folder.path("")), HasSubstr("it is not a regular file"));

@@ -16,7 +16,7 @@ std::string packet() {
     return writer.bytes();
 }
 
-TEST(Packet, GivesBackWhatWasPutIn) {
+TEST(Packet, ReturnsWrittenValues) {
     const std::string bytes = packet();
     PacketReader reader(bytes);
     EXPECT_EQ(reader.read<double>(), 2.5);
@@ -27,7 +27,7 @@ TEST(Packet, GivesBackWhatWasPutIn) {
     EXPECT_TRUE(reader.is_complete());
 }
 
-TEST(Packet, KnowsWhenItWasCutOff) {
+TEST(Packet, DetectsTruncation) {
     const std::string bytes = packet();
     for (std::size_t length = 0; length < bytes.size(); ++length) {
         PacketReader reader(std::string_view(bytes).substr(0, length));
@@ -46,7 +46,7 @@ TEST(Packet, KnowsWhenItWasCutOff) {
 }
 
 // Any other byte in a bool would be undefined behaviour.
-TEST(Packet, AnyByteIsAFlag) {
+TEST(Packet, ReadsAnyNonzeroByteAsTrue) {
     PacketWriter writer;
     for (const int byte : {0, 1, 0xf0}) writer.write(static_cast<std::uint8_t>(byte));
     PacketReader reader(writer.bytes());

@@ -90,7 +90,7 @@ void expect_drilled_plate(const Plate& plate) {
                 {6000 + 320 * d + kPi * d * d, 19.0 * 19.0, kPi * 9.5 * 9.5, offset_ellipse_area(12, 6, d)});
 }
 
-TEST(Plate, HasTheOutlinesOfItsUpperSide) {
+TEST(Plate, ReadsOutlinesOfUpperSide) {
     const SolidFolder folder;
     for (const auto& file :
          {folder.step("plate.step", drilled_plate()), folder.step("inch.stp", drilled_plate(), "INCH"),
@@ -106,14 +106,14 @@ TEST(Plate, HasTheOutlinesOfItsUpperSide) {
 }
 
 // Some programs write all surfaces and curves as splines.
-TEST(Plate, MayBeMadeOfSplines) {
+TEST(Plate, AcceptsSplineSurfaces) {
     const SolidFolder folder;
     const Plate plate = plate_of(folder.step("a.step", as_splines(drilled_plate())));
     expect_drilled_plate(plate);
     EXPECT_EQ(bevels_deg(plate), std::vector<double>(plate.drawing.entities.size(), 0.0));
 }
 
-TEST(Plate, LiesInAnyPlane) {
+TEST(Plate, AcceptsAnyPlane) {
     const SolidFolder folder;
     const Plate upright = plate_of(folder.step("a.step", turned(drilled_plate(), {1, 0, 0}, kPi / 2)));
     expect_drilled_plate(upright);
@@ -123,7 +123,7 @@ TEST(Plate, LiesInAnyPlane) {
     expect_drilled_plate(askew);
 }
 
-TEST(Plate, KeepsThePlacesOfTheFileWhereItLiesLevel) {
+TEST(Plate, KeepsFilePositionsIfLevel) {
     const SolidFolder folder;
     const TopoDS_Shape part = cylinder({30, -20, 5}, 10, 4);
     for (const bool flip : {false, true}) {
@@ -138,7 +138,7 @@ TEST(Plate, KeepsThePlacesOfTheFileWhereItLiesLevel) {
     }
 }
 
-TEST(Plate, MayBeThickerThanWide) {
+TEST(Plate, AcceptsPlateThickerThanWideWithUpAxis) {
     const SolidFolder folder;
     // The largest faces are inner and outer sides.
     const auto file =
@@ -151,7 +151,7 @@ TEST(Plate, MayBeThickerThanWide) {
     }
 }
 
-TEST(Plate, SidesThatLeanHaveBevels) {
+TEST(Plate, TiltedSidesHaveBevels) {
     const SolidFolder folder;
     // Larger below: the large side is the upper one, and the part is smaller below it.
     const auto file = folder.step("a.step", frustum({0, 0, 0}, 60, 40, 50, 36, 10));  // ruled spline surfaces
@@ -187,7 +187,7 @@ TEST(Plate, ConicalHolesHaveBevels) {
 }
 
 // A side that is ruled between two lines that are not parallel turns along its edge.
-TEST(Plate, BevelsThatChangeGoInSteps) {
+TEST(Plate, DividesVaryingBevelIntoSteps) {
     const SolidFolder folder;
     const TopoDS_Shape part = loft({{-20, -20, 0}, {20, -20, 0}, {20, 15, 0}, {-20, 20, 0}},
                                    {{-20, -20, 5}, {20, -20, 5}, {20, 20, 5}, {-20, 20, 5}});
@@ -206,7 +206,7 @@ TEST(Plate, BevelsThatChangeGoInSteps) {
     EXPECT_GE(sections, 90U);
 }
 
-TEST(Plate, SeveralBodiesAreSeveralParts) {
+TEST(Plate, SeveralBodiesGiveSeveralParts) {
     const SolidFolder folder;
     const auto two = [](double z) {
         return together({cylinder({0, 0, 0}, 10, 5), box({20, 0, z}, {40, 30, 5 + z})});
@@ -215,7 +215,7 @@ TEST(Plate, SeveralBodiesAreSeveralParts) {
     EXPECT_THAT(error_of(folder.step("b.step", two(1))), HasSubstr(" is 1 mm below the upper side"));
 }
 
-TEST(Plate, CurvesAndFacesOfAPlaneDo) {
+TEST(Plate, AcceptsPlanarCurvesAndFaces) {
     const SolidFolder folder;
     const TopoDS_Shape level = largest_face(drilled_plate());
     const TopoDS_Shape askew = largest_face(turned(drilled_plate(), {1, 2, 2}, 0.7, {1, 2, 3}));
@@ -234,7 +234,7 @@ TEST(Plate, CurvesAndFacesOfAPlaneDo) {
                 HasSubstr("the curves are not in one plane: curve D"));
 }
 
-TEST(Plate, WhatIsNoPlateIsNamedWithItsPlace) {
+TEST(Plate, RejectsNonPlateAndNamesFace) {
     const SolidFolder folder;
     const auto rejected = [&](const TopoDS_Shape& shape) { return error_of(folder.step("a.step", shape)); };
     EXPECT_THAT(rejected(sphere({1, 2, 3}, 10)),

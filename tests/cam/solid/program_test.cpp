@@ -25,7 +25,7 @@ TopoDS_Shape ring() {
     return solid::without(solid::cylinder({0, 0, 0}, 40, 8), {solid::cylinder({0, 0, -1}, 15, 10)});
 }
 
-TEST_F(SolidProgram, APartGivesItsThickness) {
+TEST_F(SolidProgram, InfersThicknessFromPart) {
     const std::string file = step("ring.step", ring());
     const Ended ended = autopath({file, "--material", "aluminum", "--report", "-o", "ring.path.json"});
     EXPECT_EQ(ended.status, 0) << ended.err;
@@ -38,7 +38,7 @@ TEST_F(SolidProgram, APartGivesItsThickness) {
     EXPECT_TRUE(contains(other.err, "the solid is 8 mm thick, but --thickness is 10 mm")) << other.err;
 }
 
-TEST_F(SolidProgram, WhatCannotBeCutLeavesNoFile) {
+TEST_F(SolidProgram, RejectedInputLeavesNoFile) {
     const auto rejected = [&](const std::vector<std::string>& arguments) {
         std::vector<std::string> all = arguments;
         all.insert(all.end(), {"--speed", "300", "--kerf", "0.8", "-o", "part.path.json"});
@@ -60,7 +60,7 @@ TEST_F(SolidProgram, WhatCannotBeCutLeavesNoFile) {
     EXPECT_TRUE(contains(rejected({write("a.step", "ISO-10303-21;\n")}), "a.step: the file is truncated"));
 }
 
-TEST_F(SolidProgram, ACellHoldsAStepFile) {
+TEST_F(SolidProgram, ReportsCollisionWithStepMeshOfCell) {
     const std::string post = step("post.step", solid::cylinder({200, 200, 0}, 10, 20));
     write("cell.toml", fmt::format(R"([cell]
 name = "a post"

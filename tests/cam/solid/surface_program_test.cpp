@@ -72,7 +72,7 @@ bool is_long_enough(const WheelStep& step, std::size_t n, const Points& edge, co
     });
 }
 
-TEST_F(SurfaceProgram, ABentBracketHasItsHolesWhereTheyBelong) {
+TEST_F(SurfaceProgram, CutsHolesOfBentBracketAtTheirPositions) {
     using B = Bracket;
     const auto jet_path = jets(sample("parts/bracket.step"), {600, 600, 120},
                                {"--contours", "holes", "--speed", "400", "--cut-height", "1"});
@@ -115,7 +115,7 @@ TEST_F(SurfaceProgram, ABentBracketHasItsHolesWhereTheyBelong) {
     }
 }
 
-TEST_F(SurfaceProgram, ASlotThroughTheSideOfAConeFollowsIt) {
+TEST_F(SurfaceProgram, CutsSlotThroughSideOfCone) {
     using F = Frustum;
     const auto jet_path =
         jets(sample("parts/frustum.step"), {300, 900, 150},
@@ -148,7 +148,7 @@ TEST_F(SurfaceProgram, ASlotThroughTheSideOfAConeFollowsIt) {
     expect_cut("the inner edge", along([&](double share) { return on_cone(share, less); }), jet_path);
 }
 
-TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
+TEST_F(SurfaceProgram, WheelFromModelMatchesThesis) {
     const auto pockets = wheel_pockets(sample("wheel.path.json"));
     const auto& at = kWheelMiddle_mm;
     const auto jet_path = jets(sample("parts/wheel.step"), {at[0], at[1], at[2]},
@@ -200,7 +200,7 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
     EXPECT_TRUE(contains(told_, "corners of lower edges are narrower than the jet")) << told_;
 }
 
-TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
+TEST_F(SurfaceProgram, RejectsUncuttableContourWithEdgeAndReason) {
     const std::string bracket = sample("parts/bracket.step");
     const Ended tilt = autopath(sample("parts/wheel.step"), {"--contours", "all"});
     EXPECT_EQ(tilt.status, 1);
@@ -222,7 +222,7 @@ TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
     EXPECT_TRUE(contains(far.err, "X")) << far.err;
 }
 
-TEST_F(SurfaceProgram, AScriptChoosesContours) {
+TEST_F(SurfaceProgram, ScriptSelectsContours) {
     const auto autopath = [&](const std::string& script) {
         write("choose.lua", script);
         return run_program(tests::program_path("autopath"),
@@ -245,7 +245,7 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     EXPECT_TRUE(contains(lonely.err, "--choose requires --contours")) << lonely.err;
 }
 
-TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {
+TEST_F(SurfaceProgram, SelectsFacesByName) {
     std::string text = solid::read_file(sample("parts/bracket.step"));
     for (std::size_t at = 0; (at = text.find("ADVANCED_FACE(''", at)) != std::string::npos; at += 20)
         text.replace(at, 16, "ADVANCED_FACE('sheet'");
@@ -258,7 +258,7 @@ TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {
     EXPECT_TRUE(contains(ended.err, "4 contours")) << ended.err;
 }
 
-TEST_F(SurfaceProgram, FacesGoByTheirColoursAndLayers) {
+TEST_F(SurfaceProgram, SelectsFacesByColourAndLayer) {
     std::string text = solid::read_file(sample("parts/bracket.step"));
     // `face` is the face of a hole, as the error names it.
     const auto run = [&](const std::string& file, const std::string& face) {
@@ -288,7 +288,7 @@ TEST_F(SurfaceProgram, FacesGoByTheirColoursAndLayers) {
     EXPECT_TRUE(contains(run(file, "0,128,0").err, "no face with")) << run(file, "0,128,0").err;
 }
 
-TEST_F(SurfaceProgram, TheSamplesAreTheModels) {
+TEST_F(SurfaceProgram, SamplesMatchModels) {
     const auto volume_of = [](const std::string& file) {
         STEPControl_Reader reader;
         EXPECT_EQ(reader.ReadFile(file.c_str()), IFSelect_RetDone);

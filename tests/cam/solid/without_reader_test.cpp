@@ -9,7 +9,7 @@ namespace gsim::solid::without_reader_test {
 
 namespace {
 
-TEST(WithoutReader, SaysHowToGetOne) {
+TEST(WithoutReader, ReportsHowToInstallReader) {
     const auto mesh = read_mesh("part.step", 0.05);
     ASSERT_FALSE(mesh);
     EXPECT_THAT(mesh.error().message,

@@ -78,7 +78,7 @@ std::vector<double> xs_with_jet(const cutting::Autopath& path) {
     return xs;
 }
 
-TEST(OpenChain, GoesFromEndToEndAndStraightOnBeyondThem) {
+TEST(OpenChain, PathExtendsStraightBeyondEnds) {
     const auto path = make_autopath({{0, 0, 0}, {10, 0, 0}, {30, 0, 0}});
     ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->summary.outlines, 1U);
@@ -88,13 +88,13 @@ TEST(OpenChain, GoesFromEndToEndAndStraightOnBeyondThem) {
     EXPECT_EQ(xs_with_jet(*path), (std::vector<double>{-kLead_mm, 0, 30, 30 + kLead_mm}));
 }
 
-TEST(OpenChain, ACornerThatOpensIsTurnedAboutAndTheEndsAreNoCorner) {
+TEST(OpenChain, RoundsOuterCornerButNotEnds) {
     const auto path = make_autopath({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}});
     ASSERT_TRUE(path) << path.error().message;
     EXPECT_NEAR(path->summary.cut_mm, 40 + 2 * kLead_mm + kKerf_mm / 2 * std::acos(0), 0.01);
 }
 
-TEST(OpenChain, AnEdgeAheadTakesTheLeadOfThatEndAlone) {
+TEST(OpenChain, EdgeAheadRemovesOnlyLeadOfThatEnd) {
     // A wall across the path, 1 mm beyond the end; the jet itself is half its width away from it.
     const std::vector<solid::PartEdge> wall{{"edge #9", {{31, -20, 0}, {31, 20, 0}}}};
     const auto path = make_autopath({{0, 0, 0}, {30, 0, 0}}, wall);
@@ -107,14 +107,14 @@ TEST(OpenChain, AnEdgeAheadTakesTheLeadOfThatEndAlone) {
     EXPECT_EQ(adjacent->summary.without_leads, 0U);
 }
 
-TEST(OpenChain, AJetIntoAnotherEdgeOfThePartIsRefused) {
+TEST(OpenChain, RejectsCutIntoOtherEdgeOfPart) {
     const auto path = make_autopath({{0, 0, 0}, {30, 0, 0}}, {{"edge #9", {{30, -20, 0}, {30, 0, 0}}}});
     ASSERT_FALSE(path);
     EXPECT_THAT(path.error().message,
                 HasSubstr("edge #1 cannot be cut: at (30, 0, 0) the jet would cut 0.5 mm into edge #9"));
 }
 
-TEST(OpenChain, BridgesAreNotAtItsEnds) {
+TEST(OpenChain, KeepsBridgesAndRejectsTooMany) {
     SurfaceOptions options;
     options.bridges = {2, 2};
     const auto path = make_autopath({{0, 0, 0}, {40, 0, 0}}, {}, options);

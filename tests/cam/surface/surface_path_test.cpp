@@ -93,7 +93,7 @@ std::vector<path::Point> path_points(const cutting::Autopath& path) {
     return points;
 }
 
-TEST(SurfacePath, ARoundHoleIsArcsHalfAKerfInside) {
+TEST(SurfacePath, RoundHoleGivesArcsHalfKerfInside) {
     const auto path = make_autopath(round_hole(5));
     ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->summary.pierces, 1U);
@@ -108,7 +108,7 @@ TEST(SurfacePath, ARoundHoleIsArcsHalfAKerfInside) {
     EXPECT_LE(on_hole, 6);
 }
 
-TEST(SurfacePath, TheTipOfALeaningJetIsBesideTheEdgeByItsHeight) {
+TEST(SurfacePath, OffsetsTcpOfTiltedJetByCutHeight) {
     const double tilt = 0.3;
     SurfaceOptions options;
     options.cut_height_mm = 2;
@@ -125,7 +125,7 @@ TEST(SurfacePath, TheTipOfALeaningJetIsBesideTheEdgeByItsHeight) {
     }
 }
 
-TEST(SurfacePath, CornersThatCloseAreTrimmedAndThoseThatOpenAreTurnedAbout) {
+TEST(SurfacePath, TrimsInnerCornersAndRoundsOuterCorners) {
     const std::vector<Vector> square{{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
     const auto outside = make_autopath(polygon(square, false));
     const auto inside = make_autopath(polygon({square.rbegin(), square.rend()}, true));
@@ -147,7 +147,7 @@ TEST(SurfacePath, CornersThatCloseAreTrimmedAndThoseThatOpenAreTurnedAbout) {
     EXPECT_GE(arcs, 4 + 2);  // the corners and both leads
 }
 
-TEST(SurfacePath, TheFeedIsLessBeforeAndBehindCornersThatClose) {
+TEST(SurfacePath, ReducesFeedBeforeAndAfterInnerCorners) {
     cutting::CutRules rules = some_rules();
     rules.feed_in_corner_mm_min = [](double turn_rad) { return turn_rad > 1.5 ? 100.0 : 300.0; };
     rules.corner_zone_mm = 2;
@@ -173,7 +173,7 @@ TEST(SurfacePath, TheFeedIsLessBeforeAndBehindCornersThatClose) {
     EXPECT_NEAR(path->summary.slowdown_s, 60 * slow_mm * (1.0 / 100 - 1.0 / 300), 1e-6);
 }
 
-TEST(SurfacePath, AJetThatLeansIsSlowerByWhatItGoesThrough) {
+TEST(SurfacePath, TiltedJetIsSlowerByCutDepth) {
     const double tilt = 0.9;
     cutting::CutRules rules = some_rules();
     const auto plain = make_autopath(round_hole(20, tilt), {}, rules);
@@ -189,7 +189,7 @@ TEST(SurfacePath, AJetThatLeansIsSlowerByWhatItGoesThrough) {
     }
 }
 
-TEST(SurfacePath, TheFaceNormalMayBeLeanedOverTheWaste) {
+TEST(SurfacePath, TiltsJetFromFaceNormalOverWaste) {
     SurfaceOptions options;
     options.jet.along_walls = false;
     options.jet.tilt_deg = 30;
@@ -206,7 +206,7 @@ TEST(SurfacePath, TheFaceNormalMayBeLeanedOverTheWaste) {
     }
 }
 
-TEST(SurfacePath, BridgesStayWhereTheJetIsOff) {
+TEST(SurfacePath, BridgesShortenCutAndAddPierces) {
     SurfaceOptions options;
     options.bridges = {3, 0.5};
     const auto full = make_autopath(round_hole(20));
@@ -222,7 +222,7 @@ TEST(SurfacePath, BridgesStayWhereTheJetIsOff) {
               "a hole of the plane face #1 has no room for 40 bridges of 2 mm");
 }
 
-TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
+TEST(SurfacePath, ErrorsNameEdgeAndReason) {
     EXPECT_EQ(rejection(round_hole(0.3)),
               "edge #7 cannot be cut: at (0.299954, -0.00523572, 0) its radius is smaller than half the "
               "kerf, 0.4 mm");
@@ -240,7 +240,7 @@ TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
     EXPECT_THAT(rejection(polygon(waist, true)), HasSubstr("the jet would cut"));
 }
 
-TEST(SurfacePath, WhatTheJetMeetsBehindAWallIsTold) {
+TEST(SurfacePath, ReportsSurfaceHitByJetAfterWall) {
     WallContour hole = round_hole(5);
     hole.edges.front().next_surface_mm = 42;
     const auto path = make_autopath(hole);

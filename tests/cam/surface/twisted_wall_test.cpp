@@ -50,7 +50,7 @@ solid::WallEdge wall(const std::string& name, const Curve& upper, const Curve& l
     return edge;
 }
 
-JetPath way_of(const std::vector<solid::WallEdge>& edges) {
+JetPath jet_path_of(const std::vector<solid::WallEdge>& edges) {
     const solid::WallContour contour{"the plane face #1", true, edges};
     auto path = jet_path(contour, kJet, {});
     EXPECT_TRUE(path) << path.error().message;
@@ -84,12 +84,12 @@ Curve line(const Vector& from, const Vector& to) {
 
 }  // namespace
 
-TEST(TwistedWall, BothCirclesOfAHyperboloidAreLeft) {
+TEST(TwistedWall, CutsBothCirclesOfHyperboloid) {
     // The lower circle is larger, and each line of the wall advances by 40 degrees: its normals differ by 35
     // deg.
     const Curve upper = [](double share) { return around(10, share, 0); };
     const Curve lower = [](double share) { return around(12, share + 40.0 / 360, -kDepth_mm); };
-    const JetPath jet_path = way_of({wall("edge #1", upper, lower)});
+    const JetPath jet_path = jet_path_of({wall("edge #1", upper, lower)});
     for (const Curve& each : {upper, lower}) {
         const auto [min, max] = off(each, jet_path);
         EXPECT_GT(min, -0.002);
@@ -98,7 +98,7 @@ TEST(TwistedWall, BothCirclesOfAHyperboloidAreLeft) {
     EXPECT_TRUE(jet_path.lower_corners.empty());
 }
 
-TEST(TwistedWall, LowerCornersUnderAStraightEdgeAreTurnedAboutOrKeepWhatIsNarrow) {
+TEST(TwistedWall, JetTurnsAtLowerCornersOrReportsUncutMaterial) {
     // A square hole; the wall below the upper half of its right side leans more and more, so that the lower
     // edge has a corner in its middle, into the hole or out of it.
     for (const double lean_mm : {-4.0, 4.0}) {
@@ -106,11 +106,11 @@ TEST(TwistedWall, LowerCornersUnderAStraightEdgeAreTurnedAboutOrKeepWhatIsNarrow
         const Vector a(10, -10, 0), middle(10, 0, 0), b(10, 10, 0), c(-10, 10, 0), d(-10, -10, 0);
         const Vector off_b = b + down + Vector(lean_mm, 0, 0);
         // Clockwise: up the left side, to the right, down the right side.
-        const JetPath jet_path = way_of({wall("edge #1", line(d, c), line(d + down, c + down)),
-                                         wall("edge #2", line(c, b), line(c + down, off_b)),
-                                         wall("edge #3", line(b, middle), line(off_b, middle + down)),
-                                         wall("edge #4", line(middle, a), line(middle + down, a + down)),
-                                         wall("edge #5", line(a, d), line(a + down, d + down))});
+        const JetPath jet_path = jet_path_of({wall("edge #1", line(d, c), line(d + down, c + down)),
+                                              wall("edge #2", line(c, b), line(c + down, off_b)),
+                                              wall("edge #3", line(b, middle), line(off_b, middle + down)),
+                                              wall("edge #4", line(middle, a), line(middle + down, a + down)),
+                                              wall("edge #5", line(a, d), line(a + down, d + down))});
         const double turn_rad = std::atan(std::abs(lean_mm) / 10);
         const auto [min, max] = off(line(middle + down, a + down), jet_path);
         EXPECT_GT(min, -kAllowedGouge_mm) << lean_mm;

@@ -19,7 +19,7 @@ double azimuth_deg(const JetPoint& point) {
     return azimuth_rad(point.axis) * kDegPerRad;
 }
 
-TEST(Upright, LeansByAHairToWhereItGoesOn) {
+TEST(VerticalAxis, TiltsSlightlyTowardsNextDirection) {
     std::vector<JetPoint> points{at(0, 0, 0), at(1, 0, 0), at(2, 40, 2), at(3, 50, 4)};
     split_vertical_points(points);
     ASSERT_EQ(points.size(), 4U);
@@ -28,7 +28,7 @@ TEST(Upright, LeansByAHairToWhereItGoesOn) {
     EXPECT_NEAR(azimuth_deg(points[1]), 30, 1e-6);  // the turn continues evenly
 }
 
-TEST(Upright, BetweenTwoLeansItTurnsOnTheSpot) {
+TEST(VerticalAxis, TurnsOnSpotBetweenTwoTilts) {
     std::vector<JetPoint> points{at(0, 10, 4), at(1, 10, 2), at(2, 0, 0), at(3, 120, 2), at(4, 120, 4)};
     split_vertical_points(points);
     ASSERT_EQ(points.size(), 6U);
@@ -37,7 +37,7 @@ TEST(Upright, BetweenTwoLeansItTurnsOnTheSpot) {
     EXPECT_EQ(points[2].edge_mm, points[3].edge_mm);
 }
 
-TEST(Upright, WhatIsUprightAllAlongStaysSo) {
+TEST(VerticalAxis, KeepsVerticalPath) {
     std::vector<JetPoint> points{at(0, 0, 0), at(1, 0, 0)};
     split_vertical_points(points);
     ASSERT_EQ(points.size(), 2U);

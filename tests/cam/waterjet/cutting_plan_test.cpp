@@ -34,7 +34,7 @@ const ResolvedValue& settled_value(const CuttingPlan& plan, std::string_view nam
     return *found;
 }
 
-TEST(CuttingPlan, SaysWhereEachValueIsFrom) {
+TEST(CuttingPlan, ReportsOriginOfEachValue) {
     const CuttingPlan plan = plan_cutting(sample_materials(), make_request("aluminum", 12)).value();
     const JetRule& rule = sample_materials().jet;
     EXPECT_EQ(settled_value(plan, "thickness").origin, Origin::from_request);
@@ -51,7 +51,7 @@ TEST(CuttingPlan, SaysWhereEachValueIsFrom) {
     EXPECT_TRUE(plan.warnings.empty());
 }
 
-TEST(CuttingPlan, WhatIsGivenWins) {
+TEST(CuttingPlan, RequestedValuesTakePrecedence) {
     CuttingRequest request = make_request("aluminum", 12);
     request.quality = 5;
     request.pressure_mpa = 300;
@@ -72,7 +72,7 @@ TEST(CuttingPlan, WhatIsGivenWins) {
         EXPECT_EQ(settled_value(plan, name).origin, Origin::from_request) << name;
 }
 
-TEST(CuttingPlan, MachinabilityOfAnotherMaterial) {
+TEST(CuttingPlan, InfersMachinabilityFromSimilarMaterial) {
     const CuttingPlan plan = sample_plan("HY-80 steel", 20, 2);
     EXPECT_EQ(plan.cutting_speed_mm_min, sample_plan("mild steel", 20, 2).cutting_speed_mm_min);
     EXPECT_EQ(settled_value(plan, "machinability").origin, Origin::inferred);
@@ -80,7 +80,7 @@ TEST(CuttingPlan, MachinabilityOfAnotherMaterial) {
 }
 
 // A material known by one cut is cut at that speed if all conditions are as they were then.
-TEST(CuttingPlan, MachinabilityOfAMeasuredCut) {
+TEST(CuttingPlan, InfersMachinabilityFromMeasuredCut) {
     Materials materials = sample_materials();
     const JetSetting jet{320, 0.3, 0.9, 250, 1};
     materials.materials.push_back({"own", std::nullopt, "", MeasuredCut{jet, 77, 15, 4}, ""});
@@ -95,7 +95,7 @@ TEST(CuttingPlan, MachinabilityOfAMeasuredCut) {
     EXPECT_THAT(settled_value(plan, "machinability").basis, HasSubstr("77 mm/min"));
 }
 
-TEST(CuttingPlan, BetterEdgesAreSlowerAndNarrowerTapers) {
+TEST(CuttingPlan, HigherQualityGivesLowerSpeedAndTaper) {
     CuttingPlan before = sample_plan("stainless steel", 20, 1);
     EXPECT_DOUBLE_EQ(before.cutting_speed_mm_min, before.separation_speed_mm_min);
     for (const double quality : {1.5, 2.0, 3.0, 4.0, 5.0}) {
@@ -110,7 +110,7 @@ TEST(CuttingPlan, BetterEdgesAreSlowerAndNarrowerTapers) {
     }
 }
 
-TEST(CuttingPlan, PiercingTakesLongerThroughMore) {
+TEST(CuttingPlan, PierceTimeGrowsWithThickness) {
     double before = 0;
     for (const double thickness : {0.5, 1.0, 5.0, 12.0, 25.0, 50.0, 100.0}) {
         const double time = sample_plan("stainless steel", thickness, 3).pierce_s;
@@ -123,7 +123,7 @@ TEST(CuttingPlan, PiercingTakesLongerThroughMore) {
         << "more than with the square of the thickness";
 }
 
-TEST(CuttingPlan, TheSpeedThroughMoreIsThatOfThickerMaterial) {
+TEST(CuttingPlan, SpeedAtThicknessMatchesPlanForThatThickness) {
     const CuttingPlan plan = plan_cutting(sample_materials(), make_request("aluminum", 12)).value();
     for (const double thickness_mm : {6.0, 12.0, 30.0}) {
         const CuttingPlan other =
@@ -133,7 +133,7 @@ TEST(CuttingPlan, TheSpeedThroughMoreIsThatOfThickerMaterial) {
     }
 }
 
-TEST(CuttingPlan, WarnsOfASpeedThatDoesNotComeThrough) {
+TEST(CuttingPlan, WarnsOfSpeedTooHighToCutThrough) {
     CuttingRequest request = make_request("stainless steel", 50);
     request.speed_mm_min = 5000;
     const CuttingPlan plan = plan_cutting(sample_materials(), request).value();
@@ -151,7 +151,7 @@ TEST(CuttingPlan, WarnsOfUnusualJets) {
     EXPECT_EQ(warnings[0], "pressure_mpa is 600, outside the usual range of 170 to 415");
 }
 
-TEST(CuttingPlan, Errors) {
+TEST(CuttingPlan, RejectsUnknownMaterialAndValuesOutOfRange) {
     EXPECT_EQ(error_of(make_request("aluminium", 10)),
               "unknown material \"aluminium\"; did you mean \"aluminum\"?");
     EXPECT_THAT(error_of(make_request("x", 10)), HasSubstr("unknown material"));
@@ -168,7 +168,7 @@ TEST(CuttingPlan, Errors) {
 }
 
 // Whatever is within the ranges, a plan is made of finite numbers.
-TEST(CuttingPlan, FiniteAtTheEndsOfTheRanges) {
+TEST(CuttingPlan, IsFiniteAtEndsOfRanges) {
     for (const double thickness : {1e-3, 1e4})
         for (const double pressure : {1.0, 1000.0})
             for (const double orifice : {0.01, 10.0})

@@ -39,7 +39,7 @@ double speed_in_min(const JetSetting& jet, double machinability, double thicknes
 }
 
 // Both constants are published with three digits: 163 +-0.5 alone is 0.35 % of the speed.
-TEST(CuttingSpeed, IsTheSameInInchUnits) {
+TEST(CuttingSpeed, MatchesEquationInInchUnits) {
     std::mt19937 random(1);
     for (int i = 0; i < 1000; ++i) {
         const JetSetting jet = random_jet(random);
@@ -53,7 +53,7 @@ TEST(CuttingSpeed, IsTheSameInInchUnits) {
 
 // A jet of 50 kpsi with 0.014 in, 0.042 in and 0.8 lb/min cuts aluminum (213) of half an inch with quality 3
 // at 11.4 in/min: 50^1.594 = 510.7, 0.014^1.374 = 0.0028364, 0.8^0.343 = 0.92632, 0.042^0.618 = 0.14098.
-TEST(CuttingSpeed, WorkedByHand) {
+TEST(CuttingSpeed, MatchesHandCalculation) {
     const JetSetting jet{.pressure_mpa = 50 * kMpaInKpsi,
                          .orifice_mm = 0.014 * kMmInInch,
                          .mixing_tube_mm = 0.042 * kMmInInch,
@@ -65,7 +65,7 @@ TEST(CuttingSpeed, WorkedByHand) {
     EXPECT_NEAR(speed_in_min_by_hand, 11.39, 0.01);
 }
 
-TEST(CuttingSpeed, RisesAndFallsAsAJetDoes) {
+TEST(CuttingSpeed, IsMonotonicInEachParameter) {
     std::mt19937 random(2);
     for (int i = 0; i < 1000; ++i) {
         const JetSetting jet = random_jet(random);
@@ -88,7 +88,7 @@ TEST(CuttingSpeed, RisesAndFallsAsAJetDoes) {
 }
 
 // Twice the thickness at half the quality is the same cut; the speed varies with the power 1.15.
-TEST(CuttingSpeed, QualityAndThicknessTradeForEachOther) {
+TEST(CuttingSpeed, DependsOnProductOfQualityAndThickness) {
     std::mt19937 random(3);
     const JetSetting jet = random_jet(random);
     EXPECT_NEAR(cutting_speed_mm_min(jet, 80, 20, 2), cutting_speed_mm_min(jet, 80, 10, 4), 1e-9);
@@ -97,14 +97,14 @@ TEST(CuttingSpeed, QualityAndThicknessTradeForEachOther) {
 }
 
 // A maker of machines (WARDJet) cuts aluminum of 4 in at 4.2 in/min with quality 1, at 0.72 with quality 5.
-TEST(CuttingSpeed, SpanOfQualitiesIsThatOfAThickPlate) {
+TEST(CuttingSpeed, QualityRangeMatchesPublishedThickPlate) {
     const JetSetting jet{345, 0.35, 1.05, 370, 1};
     const double span =
         cutting_speed_mm_min(jet, 213, 4 * kMmInInch, 1) / cutting_speed_mm_min(jet, 213, 4 * kMmInInch, 5);
     EXPECT_NEAR(span, 4.2 / 0.72, 0.1 * span);
 }
 
-TEST(CuttingSpeed, MachinabilityIsTheInverse) {
+TEST(CuttingSpeed, MachinabilityOfCutIsInverse) {
     std::mt19937 random(4);
     for (int i = 0; i < 1000; ++i) {
         const JetSetting jet = random_jet(random);
@@ -119,13 +119,13 @@ TEST(CuttingSpeed, MachinabilityIsTheInverse) {
 
 // In US units the equation of the orifice is Q = 29.84 C_d d^2 sqrt(p): 0.931 gal/min for 0.014 in and
 // 60,000 psi with C_d = 0.65.
-TEST(WaterFlow, OfTheUsualOrifice) {
+TEST(WaterFlow, MatchesKnownFlowOfUsualOrifice) {
     constexpr double kLitresInGallon = 3.785411784;
     const double flow = water_flow_l_min(0.014 * kMmInInch, 60 * kMpaInKpsi, 0.65);
     EXPECT_NEAR(flow / kLitresInGallon, 0.931, 0.002);
 }
 
-TEST(WaterFlow, GoesWithAreaAndTheRootOfThePressure) {
+TEST(WaterFlow, GrowsWithAreaAndRootOfPressure) {
     const double flow = water_flow_l_min(0.3, 300, 0.65);
     EXPECT_NEAR(water_flow_l_min(0.6, 300, 0.65), 4 * flow, 1e-12);
     EXPECT_NEAR(water_flow_l_min(0.3, 75, 0.65), flow / 2, 1e-12);

@@ -22,7 +22,7 @@ double uniform(std::mt19937& random, double from, double to) {
 }
 
 // The end of a tangent of the allowed length is off the circle by the allowed error.
-TEST(JetLag, OnAnArcTheExitIsOffByTheError) {
+TEST(JetLag, ExitDeviatesByAllowedErrorOnArc) {
     std::mt19937 random(1);
     for (int i = 0; i < 1000; ++i) {
         const double radius = uniform(random, 0, 50);
@@ -32,7 +32,7 @@ TEST(JetLag, OnAnArcTheExitIsOffByTheError) {
 }
 
 // The chord from L before the corner to L after it passes the corner at the allowed error.
-TEST(JetLag, InACornerTheExitCutsOffTheError) {
+TEST(JetLag, ExitCutsCornerByAllowedError) {
     std::mt19937 random(2);
     for (int i = 0; i < 1000; ++i) {
         const double turn = uniform(random, 0.01, kPi - 0.01);
@@ -55,7 +55,7 @@ TEST(JetLag, SpeedAndLagAreInverse) {
     EXPECT_NEAR(lag_mm(rule, {10, 200}, 200), 10 * rule.lag_to_thickness, 1e-12);
 }
 
-TEST(JetLag, ErrorBetweenQualities) {
+TEST(JetLag, InterpolatesErrorBetweenQualities) {
     LagRule rule;
     rule.contour_error_mm = {0.5, 0.4, 0.2, 0.1, 0.05};
     EXPECT_DOUBLE_EQ(contour_error_mm(rule, 1), 0.5);
@@ -64,13 +64,13 @@ TEST(JetLag, ErrorBetweenQualities) {
 }
 
 // In the sample file the lag varies with 1 / quality, because the speed's power and the lag's are inverse.
-TEST(JetLag, FallsWithTheQuality) {
+TEST(JetLag, IsInverselyProportionalToQuality) {
     const double separation = sample_plan("mild steel", 20, 1).lag_mm;
     for (const double quality : {1.0, 2.0, 3.0, 5.0})
         EXPECT_NEAR(sample_plan("mild steel", 20, quality).lag_mm * quality, separation, 0.01 * separation);
 }
 
-TEST(FeedForRadius, GrowsWithTheRadiusUpToTheCuttingSpeed) {
+TEST(FeedForRadius, GrowsWithRadiusUpToCuttingSpeed) {
     std::mt19937 random(4);
     for (int i = 0; i < 200; ++i) {
         const CuttingPlan plan =
@@ -87,7 +87,7 @@ TEST(FeedForRadius, GrowsWithTheRadiusUpToTheCuttingSpeed) {
 }
 
 // Wherever the feed is not at one of its ends, the lag shows by the allowed error, no more and no less.
-TEST(FeedForRadius, UsesTheErrorUp) {
+TEST(FeedForRadius, UsesFullAllowedError) {
     const CuttingPlan plan = sample_plan("stainless steel", 25, 3);
     const StraightCut cut{plan.thickness_mm, plan.separation_speed_mm_min};
     int between = 0;
@@ -105,7 +105,7 @@ TEST(FeedForRadius, UsesTheErrorUp) {
     EXPECT_GT(between, 10);
 }
 
-TEST(FeedForCorner, FallsWithTheTurn) {
+TEST(FeedForCorner, DecreasesWithCornerAngle) {
     const CuttingPlan plan = sample_plan("aluminum", 40, 3);
     EXPECT_DOUBLE_EQ(feed_for_corner_mm_min(plan, 0), plan.cutting_speed_mm_min);
     double before = plan.cutting_speed_mm_min;
@@ -119,7 +119,7 @@ TEST(FeedForCorner, FallsWithTheTurn) {
     EXPECT_GE(before, plan.lag.min_feed_share * plan.cutting_speed_mm_min);
 }
 
-TEST(Feed, ThinAndThick) {
+TEST(Feed, CornerFeedIsReducedOnlyInThickMaterial) {
     const CuttingPlan thin = sample_plan("aluminum", 0.5, 3);
     EXPECT_DOUBLE_EQ(feed_for_corner_mm_min(thin, kPi / 2), thin.cutting_speed_mm_min)
         << "no lag to speak of";
@@ -127,7 +127,7 @@ TEST(Feed, ThinAndThick) {
     EXPECT_LT(feed_for_corner_mm_min(thick, kPi / 2), 0.2 * thick.cutting_speed_mm_min);
 }
 
-TEST(Feed, OddValuesAreTheSlowest) {
+TEST(Feed, InvalidValuesGiveLowestFeed) {
     const CuttingPlan plan = sample_plan("aluminum", 40, 3);
     EXPECT_DOUBLE_EQ(feed_for_radius_mm_min(plan, kNaN), feed_for_radius_mm_min(plan, 0));
     EXPECT_DOUBLE_EQ(feed_for_radius_mm_min(plan, -1), feed_for_radius_mm_min(plan, 0));

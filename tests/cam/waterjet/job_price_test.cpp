@@ -14,7 +14,7 @@ double uniform(std::mt19937& random, double from, double to) {
 }
 
 // An hour of jet: 60 minutes of water and abrasive, an hour of the nozzle's life.
-TEST(JobPrice, OfAnHour) {
+TEST(JobPrice, MatchesHandCalculationForOneHour) {
     const CuttingPlan plan = sample_plan("aluminum", 12, 3);
     const PriceRule& prices = sample_materials().prices;
     const JobPrice price = price_job(plan, prices, {.cut_length_mm = 60 * plan.cutting_speed_mm_min});
@@ -40,12 +40,12 @@ TEST(JobPrice, TimesAddUp) {
     EXPECT_DOUBLE_EQ(price.machine_time_s, price.jet_time_s + 40);
 }
 
-TEST(JobPrice, NothingCostsNothing) {
+TEST(JobPrice, EmptyJobCostsNothing) {
     EXPECT_EQ(price_job(sample_plan("glass", 5, 3), sample_materials().prices, {}).total, 0);
 }
 
 // Two jobs cost as much as both together.
-TEST(JobPrice, IsLinear) {
+TEST(JobPrice, IsLinearInQuantities) {
     const CuttingPlan plan = sample_plan("granite", 30, 3);
     const PriceRule& prices = sample_materials().prices;
     std::mt19937 random(1);
@@ -61,7 +61,7 @@ TEST(JobPrice, IsLinear) {
 
 // The thesis: abrasive is up to half of the cost, and 50 to 70 % of it can be used again. That makes cutting
 // up to 40 % cheaper. Half of the cost and 70 % are 35 %, if the second use is free.
-TEST(JobPrice, RecyclingSavesAtMostItsShareOfTheAbrasive) {
+TEST(JobPrice, RecyclingSavesAtMostRecycledShareOfAbrasive) {
     const CuttingPlan plan = sample_plan("aluminum", 12, 3);
     PriceRule prices = sample_materials().prices;
     const JobQuantities job{.cut_length_mm = 5000, .pierces = 10};

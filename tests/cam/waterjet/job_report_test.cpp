@@ -22,7 +22,7 @@ struct Reported {
     JobReport report() const { return {plan, price, accuracy, currency}; }
 };
 
-TEST(JobReport, TextSaysFromWhatAValueIs) {
+TEST(JobReport, TextStatesOriginOfValues) {
     const Reported job;
     const std::string text = job_report_text(job.report());
     EXPECT_THAT(text, HasSubstr("Cutting HY-80 steel, 25 mm\n"));

@@ -26,7 +26,7 @@ std::string error_with(std::string_view fragment, std::string_view other) {
     return materials ? "" : materials.error().message;
 }
 
-TEST(MaterialsFile, Sample) {
+TEST(MaterialsFile, ReadsSample) {
     const Materials& materials = sample_materials();
     EXPECT_EQ(materials.jet.pressure_mpa, 345);
     EXPECT_FALSE(materials.jet.mixing_tube_mm);
@@ -41,7 +41,7 @@ TEST(MaterialsFile, EveryMaterialCanBePlanned) {
         EXPECT_GT(sample_plan(material.name, 10, 3).cutting_speed_mm_min, 0) << material.name;
 }
 
-TEST(MaterialsFile, ErrorsSayWhereWhatAndWhatWouldBeRight) {
+TEST(MaterialsFile, ErrorsNameLocationProblemAndCorrection) {
     EXPECT_EQ(error_with("pressure_mpa = 345.0", "presure_mpa = 345.0"),
               "f:6:1: unknown key 'presure_mpa' in [jet]; did you mean 'pressure_mpa'?");
     EXPECT_EQ(error_with("orifice_mm = 0.35\n", "\n"), "f:5:1: [jet] lacks the key 'orifice_mm'");
@@ -57,7 +57,7 @@ TEST(MaterialsFile, ErrorsSayWhereWhatAndWhatWouldBeRight) {
     EXPECT_THAT(error_with("currency = \"EUR\"", "currency = \"\\u0007\""), HasSubstr("control characters"));
 }
 
-TEST(MaterialsFile, ErrorsOfMaterials) {
+TEST(MaterialsFile, RejectsInvalidMaterials) {
     EXPECT_THAT(error_with("like = \"mild steel\"", "like = \"mild stel\""),
                 HasSubstr("unknown material \"mild stel\"; did you mean \"mild steel\"?"));
     EXPECT_THAT(error_with("like = \"mild steel\"", "like = \"HY-80 steel\""),
@@ -69,7 +69,7 @@ TEST(MaterialsFile, ErrorsOfMaterials) {
     EXPECT_THAT(error_with("name = \"lead\"", "name = \"\""), HasSubstr("'name' must be 1 to 200 bytes"));
 }
 
-TEST(MaterialsFile, MeasuredCut) {
+TEST(MaterialsFile, ChecksMeasuredCut) {
     constexpr std::string_view kCut =
         "measured = { speed_mm_min = 120, thickness_mm = 10, quality = 3, pressure_mpa = 345, "
         "orifice_mm = 0.35, mixing_tube_mm = 1.05, abrasive_g_min = 370, abrasive_factor = 1 }";
@@ -84,7 +84,7 @@ TEST(MaterialsFile, MeasuredCut) {
     EXPECT_THAT(error_with("machinability = 213.0", "measured = 3"), HasSubstr("must be a table"));
 }
 
-TEST(MaterialsFile, MeasuredCutAsATableOfItsOwn) {
+TEST(MaterialsFile, ReadsMeasuredCutFromSubtable) {
     const std::string text = fmt::format(
         "{}\n[[material]]\nname = \"our bronze\"\n[material.measured]\nspeed_mm_min = 120\n"
         "thickness_mm = 10\nquality = 3\npressure_mpa = 345\norifice_mm = 0.35\nmixing_tube_mm = 1.05\n"
@@ -94,7 +94,7 @@ TEST(MaterialsFile, MeasuredCutAsATableOfItsOwn) {
     EXPECT_EQ(materials.materials.back().measured, (MeasuredCut{{345, 0.35, 1.05, 370, 1}, 120, 10, 3}));
 }
 
-TEST(MaterialsFile, AcceptsOldNamesOfKeysAndWarns) {
+TEST(MaterialsFile, AcceptsOldKeyNamesAndWarns) {
     std::string text(built_in_materials_toml());
     for (const auto& [name, old_name] :
          {std::pair("min_feed_share", "least_feed_share"), std::pair("\nmin_s", "\nleast_s"),
@@ -106,7 +106,7 @@ TEST(MaterialsFile, AcceptsOldNamesOfKeysAndWarns) {
     EXPECT_EQ(old, read_materials(built_in_materials_toml(), "f").value());
 }
 
-TEST(MaterialsFile, NoFile) {
+TEST(MaterialsFile, RejectsMissingAndEmptyFiles) {
     EXPECT_FALSE(load_materials("no-such-file.toml"));
     EXPECT_FALSE(read_materials("", "f"));
     EXPECT_FALSE(read_materials(std::string_view("\0", 1), "f"));
@@ -114,7 +114,7 @@ TEST(MaterialsFile, NoFile) {
 
 // For any file content, reading ends with materials that can be planned, or with an error that has a
 // position.
-TEST(MaterialsFile, Mangled) {
+TEST(MaterialsFile, CorruptFilesArePlannableOrRejectedWithLocation) {
     std::mt19937 random(5);
     const std::string full(built_in_materials_toml());
     for (int i = 0; i < 2000; ++i) {

@@ -39,7 +39,7 @@ CuttingRequest make_request(const Row& row) {
     return request;
 }
 
-TEST(TableOfSpeeds, EachRowWithinAFactor) {
+TEST(SpeedTable, EachRowIsWithinExpectedFactor) {
     for (const Row& row : kTable) {
         const double speed = plan_cutting(sample_materials(), make_request(row)).value().cutting_speed_mm_min;
         EXPECT_NEAR(speed / row.speed_mm_min, row.ratio, 0.01) << row.material;

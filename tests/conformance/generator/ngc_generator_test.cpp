@@ -5,12 +5,12 @@
 namespace gsim::conformance::ngc_generator_test {
 namespace {
 
-TEST(NgcGenerator, GivesOneProgramForASeed) {
+TEST(NgcGenerator, GivesSameProgramForSameSeed) {
     EXPECT_EQ(NgcGenerator(7).program(), NgcGenerator(7).program());
     EXPECT_NE(NgcGenerator(7).program(), NgcGenerator(8).program());
 }
 
-TEST(NgcGenerator, WritesAllThatIsToBeCompared) {
+TEST(NgcGenerator, WritesEveryComparedFeature) {
     std::string all;
     for (std::size_t seed = 1; seed <= 200; ++seed) all += NgcGenerator(seed).program();
     for (const char* part : {"EXISTS[#1]",

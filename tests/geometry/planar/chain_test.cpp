@@ -24,7 +24,7 @@ std::vector<Contour> in_pieces(const Contour& contour, std::mt19937& random, dou
     return drawn_contours;
 }
 
-TEST(Chain, PiecesInAnyOrderAndSenseCloseAgain) {
+TEST(Chain, ClosesEdgesInAnyOrderAndDirection) {
     std::mt19937 random(21);
     for (const double gap_mm : {0.0, 0.01}) {
         for (int i = 0; i < 20; ++i) {
@@ -38,7 +38,7 @@ TEST(Chain, PiecesInAnyOrderAndSenseCloseAgain) {
     }
 }
 
-TEST(Chain, AGapWiderThanTheToleranceStaysOpen) {
+TEST(Chain, StaysOpenIfGapExceedsTolerance) {
     Contour drawn_contour;
     append_edge(drawn_contour, {{0, 0}, {10, 0}, 0}, 0);
     append_edge(drawn_contour, {{10, 0}, {10, 10}, 0}, 0);
@@ -47,7 +47,7 @@ TEST(Chain, AGapWiderThanTheToleranceStaysOpen) {
     EXPECT_EQ(chain({drawn_contour}, 0.2).closed.size(), 1U);
 }
 
-TEST(Chain, TooManyEndsInOnePlaceAreSaid) {
+TEST(Chain, ReportsTooManyEndsAtOnePoint) {
     std::vector<Contour> rays;
     for (int i = 0; i < 1000; ++i) {
         Contour ray;

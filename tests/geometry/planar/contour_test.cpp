@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(Contour, AreaAndLengthOfACircle) {
+TEST(Contour, AreaAndLengthOfCircleAreExact) {
     const Contour round = circle({1000, -2000}, 7);
     EXPECT_NEAR(area_mm2(round), kPi * 49, 1e-9);
     EXPECT_NEAR(length_mm(round), kPi * 14, 1e-9);
 }
 
-TEST(Contour, AreaOfARoundedSlot) {
+TEST(Contour, AreaAndBoxOfRoundedSlotAreExact) {
     Contour slot;
     slot.closed = true;
     slot.vertices = {{{0, -2}, 0, 0}, {{10, -2}, 1, 0}, {{10, 2}, 0, 0}, {{0, 2}, 1, 0}};
@@ -25,7 +25,7 @@ TEST(Contour, AreaOfARoundedSlot) {
     EXPECT_NEAR(bounding_box(slot).low.x, -2, 1e-9);
 }
 
-TEST(Contour, GoingRoundTheOtherWayNegatesTheArea) {
+TEST(Contour, ReversalNegatesArea) {
     std::mt19937 random(3);
     Contour contour = star(random, 12, 5, 20, 0.5);
     const double area = area_mm2(contour);
@@ -37,7 +37,7 @@ TEST(Contour, GoingRoundTheOtherWayNegatesTheArea) {
     EXPECT_EQ(contour.vertices.front().position, first);
 }
 
-TEST(Contour, AnArcOfMoreThanHalfATurnBecomesTwo) {
+TEST(Contour, SplitsArcLongerThanHalfTurn) {
     Contour contour;
     // Three quarters of a circle of radius 1 about the origin, from (1, 0) to (0, -1).
     append_edge(contour, {{1, 0}, {0, -1}, std::tan(3 * kPi / 8)}, 0);
@@ -48,7 +48,7 @@ TEST(Contour, AnArcOfMoreThanHalfATurnBecomesTwo) {
     }
 }
 
-TEST(Edge, SharesAndPartsOfArcs) {
+TEST(Edge, SharesAndSubEdgesOfArcsAreConsistent) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> value(-1, 1);
     for (int i = 0; i < 200; ++i) {

@@ -6,7 +6,7 @@ namespace gsim::geometry::fit_test {
 
 namespace {
 
-TEST(Fit, AnEllipseHasItsAreaAndStaysWithinTheTolerance) {
+TEST(Fit, KeepsAreaAndToleranceOfEllipse) {
     for (const double ratio : {1.0, 0.5, 0.02}) {
         for (const double tolerance_mm : {0.1, 0.001}) {
             const double a = 50;
@@ -34,7 +34,7 @@ TEST(Fit, AnEllipseHasItsAreaAndStaysWithinTheTolerance) {
     }
 }
 
-TEST(Fit, ACircleTakesFewArcs) {
+TEST(Fit, UsesFewArcsForCircle) {
     Contour contour;
     fit_arcs(
         [](double t) {
@@ -45,7 +45,7 @@ TEST(Fit, ACircleTakesFewArcs) {
     for (std::size_t i = 0; i < contour.edges(); ++i) EXPECT_NEAR(radius_mm(contour.edge(i)), 9, 1e-9);
 }
 
-TEST(Fit, AStraightCurveIsALine) {
+TEST(Fit, FitsStraightCurveWithLines) {
     Contour contour;
     fit_arcs(
         [](double t) {
@@ -56,7 +56,7 @@ TEST(Fit, AStraightCurveIsALine) {
     EXPECT_NEAR(length_mm(contour), std::hypot(8, 16), 1e-9);
 }
 
-TEST(Fit, ACuspEnds) {
+TEST(Fit, TerminatesAtCusp) {
     Contour contour;  // y^2 = x^3, which has no direction at the origin
     fit_arcs(
         [](double t) {

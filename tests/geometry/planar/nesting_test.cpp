@@ -8,7 +8,7 @@ namespace gsim::geometry::nesting_test {
 
 namespace {
 
-TEST(Nesting, AParentIsTheSmallestContourAround) {
+TEST(Nesting, ParentIsSmallestEnclosingContour) {
     const std::vector<Contour> contours = {circle({0, 0}, 1), rectangle({-10, -10}, {10, 10}),
                                            circle({0, 0}, 5), circle({7, 7}, 1), circle({30, 0}, 4)};
     const std::vector<NestingLevel> nestings = find_nesting(contours);
@@ -21,7 +21,7 @@ TEST(Nesting, AParentIsTheSmallestContourAround) {
     EXPECT_EQ(nestings[4].depth, 0U);
 }
 
-TEST(Nesting, ABulgeCountsAsInside) {
+TEST(Nesting, BulgeCountsAsInside) {
     // The point lies between chord and arc.
     EXPECT_TRUE(inside(circle({0, 0}, 5), {0.5, 4.9}));
     EXPECT_TRUE(inside(circle({0, 0}, 5), {0, -4.9}));
@@ -29,7 +29,7 @@ TEST(Nesting, ABulgeCountsAsInside) {
 }
 
 // Against the sum of angles under which the contour is seen.
-TEST(Nesting, InsideAgreesWithTheWindingNumber) {
+TEST(Nesting, InsideAgreesWithWindingNumber) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> value(-25, 25);
     for (int i = 0; i < 20; ++i) {

@@ -26,7 +26,7 @@ std::vector<Contour> offset_of(const Contour& contour, double distance_mm) {
     return result ? *result : std::vector<Contour>{};
 }
 
-TEST(Offset, OfConvexShapesTheAreaIsSteiners) {
+TEST(Offset, AreaOfConvexShapesMatchesSteinerFormula) {
     Contour slot;
     slot.closed = true;
     slot.vertices = {{{0, -2}, 0, 0}, {{10, -2}, 1, 0}, {{10, 2}, 0, 0}, {{0, 2}, 1, 0}};
@@ -42,7 +42,7 @@ TEST(Offset, OfConvexShapesTheAreaIsSteiners) {
     }
 }
 
-TEST(Offset, ARectangleShrinksToARectangleAndThenToNothing) {
+TEST(Offset, ShrinksRectangleToRectangleThenNothing) {
     const Contour contour = rectangle({0, 0}, {30, 20});
     const std::vector<Contour> shrunk = offset_of(contour, -4);
     ASSERT_EQ(shrunk.size(), 1U);
@@ -51,7 +51,7 @@ TEST(Offset, ARectangleShrinksToARectangleAndThenToNothing) {
     EXPECT_TRUE(offset_of(circle({}, 3), -3).empty());
 }
 
-TEST(Offset, ADumbbellFallsIntoTwo) {
+TEST(Offset, SplitsDumbbellIntoTwo) {
     const Contour dumbbell = polygon({{0, 0},
                                       {10, 0},
                                       {10, 4},
@@ -69,7 +69,7 @@ TEST(Offset, ADumbbellFallsIntoTwo) {
     EXPECT_NEAR(total_area(parts), clipper_offset_area_mm2(dumbbell, -1.5), 0.01);
 }
 
-TEST(Offset, CuspsTurnTheRightWay) {
+TEST(Offset, AreaOfContourWithCuspsMatchesClipper) {
     Contour horns;  // a rectangle with a bite that leaves two horns without an angle
     horns.closed = true;
     horns.vertices = {{{10, 2.5}, 0, 0}, {{5, 2.5}, 0, 0}, {{5, -2.5}, 0, 0}, {{10, -2.5}, -1, 0}};
@@ -81,7 +81,7 @@ TEST(Offset, CuspsTurnTheRightWay) {
     }
 }
 
-TEST(Offset, ATangentThatWasRoundedDoesNotHarm) {
+TEST(Offset, AcceptsRoundedTangent) {
     // Lines leave the arcs of a slot 3e-4 rad off their tangents, as a drawing program wrote them.
     Contour slot;
     slot.closed = true;
@@ -94,7 +94,7 @@ TEST(Offset, ATangentThatWasRoundedDoesNotHarm) {
     }
 }
 
-TEST(Offset, ASlotAsWideAsTheToolDoesNotHarm) {
+TEST(Offset, AcceptsSlotAsWideAsTool) {
     // The walls are at exactly twice the distance.
     const Contour comb = polygon({{0, 0}, {30, 0}, {30, 20}, {20, 20}, {20, 5}, {18, 5}, {18, 20}, {0, 20}});
     const std::vector<Contour> expanded = offset_of(comb, 1);
@@ -102,7 +102,7 @@ TEST(Offset, ASlotAsWideAsTheToolDoesNotHarm) {
 }
 
 // No point of the offset is nearer to the contour than the distance, or farther.
-TEST(Offset, KeepsItsDistanceEverywhere) {
+TEST(Offset, KeepsDistanceEverywhere) {
     std::mt19937 random(31);
     for (int i = 0; i < 20; ++i) {
         const Contour contour = star(random, 40, 20, 40, 0.5);
@@ -121,7 +121,7 @@ TEST(Offset, KeepsItsDistanceEverywhere) {
     }
 }
 
-TEST(Offset, OfRandomShapesTheAreaIsClippers) {
+TEST(Offset, AreaOfRandomShapesMatchesClipper) {
     std::mt19937 random(32);
     for (int i = 0; i < 40; ++i) {
         const Contour contour = star(random, 5 + 2 * i, 10, 40, (i % 5) / 4.0);

@@ -150,11 +150,11 @@ void run_all(Dialect dialect) {
     EXPECT_GT(moves, count * 20);
 }
 
-TEST(RoundTrip, AllenBradley) {
+TEST(RoundTrip, RandomAb9ProgramsMatchEvaluator) {
     run_all(Dialect::ab9);
 }
 
-TEST(RoundTrip, Rs274Ngc) {
+TEST(RoundTrip, RandomRs274NgcProgramsMatchEvaluator) {
     run_all(Dialect::ngc);
 }
 

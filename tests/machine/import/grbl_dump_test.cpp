@@ -28,7 +28,7 @@ ImportResult import_text(const std::string& text) {
     return imported.value_or(ImportResult{});
 }
 
-TEST(GrblDump, TheRecordedMachineIsTheSample) {
+TEST(GrblDump, ImportOfRecordedMachineMatchesSample) {
     machine::Machine machine = import_text(kRouter).machine;
     machine::Machine sample =
         machine::load_machine(tests::source_path("samples/machines/grbl-router.toml")).value();
@@ -42,7 +42,7 @@ TEST(GrblDump, TheRecordedMachineIsTheSample) {
     EXPECT_EQ(machine::print_machine(machine), machine::print_machine(sample));
 }
 
-TEST(GrblDump, WithHomingMachineCoordinatesGoFromMinusTheTravelToZero) {
+TEST(GrblDump, HomingSetsRangeFromMinusTravelToZero) {
     const ImportResult imported =
         import_text(std::string(kRouter) + "$22=1\n$23=3\n$27=1.000\n$130=300.000\n$13=0\n$32=1\n");
     const machine::Axis& x = imported.machine.axes.at(0);
@@ -56,7 +56,7 @@ TEST(GrblDump, WithHomingMachineCoordinatesGoFromMinusTheTravelToZero) {
               imported.machine);
 }
 
-TEST(GrblDump, TheRulesOfItsPlannerAndAFourthAxis) {
+TEST(GrblDump, ImportsPlannerRulesAndFourthAxis) {
     const ImportResult imported = import_text(
         std::string(kRouter) + "$11=0.020\n$12=0.004 (arc tolerance, mm)\n$103=10\n$113=3600\n$123=50\n");
     EXPECT_EQ(imported.machine.controller.corners.junction_deviation_mm, 0.02);
@@ -66,7 +66,7 @@ TEST(GrblDump, TheRulesOfItsPlannerAndAFourthAxis) {
     EXPECT_EQ(imported.machine.axes[3].max_speed, 60);
 }
 
-TEST(GrblDump, StoredPointsAreInTheUnitOfReports) {
+TEST(GrblDump, ConvertsStoredPointsFromUnitOfReports) {
     const ImportResult imported =
         import_text(std::string(kRouter) +
                     "$13=1\n[G54:1.000,-2.000,0.500]\n[G28:1.000,0.000,0.000]\n"
@@ -77,7 +77,7 @@ TEST(GrblDump, StoredPointsAreInTheUnitOfReports) {
     EXPECT_THAT(imported.left_out, ElementsAre("[TLO:0.000]", "[PRB:0.000,0.000,0.000:0]"));
 }
 
-TEST(GrblDump, FaultsAreSentences) {
+TEST(GrblDump, RejectsInvalidDumpsWithLocation) {
     EXPECT_TRUE(is_grbl_dump("ok\n$110=500\n"));
     EXPECT_FALSE(is_grbl_dump("[machine]\nname = \"m\"\n"));
     EXPECT_EQ(import_grbl("$100=80\nhello\n", "router.txt").error().message,

@@ -62,7 +62,7 @@ std::string error_of(const std::string& ini) {
 }
 
 // All values that decide on positions and times are those of the samples that match recordings.
-TEST(LinuxcncIni, TheRecordedMachinesAreTheSamples) {
+TEST(LinuxcncIni, ImportOfRecordedMachinesMatchesSamples) {
     for (const auto& [name, ini] : {std::pair{"linuxcnc-gantry.toml", recorded(508, 490.3, 20, 2000)},
                                     std::pair{"linuxcnc-gantry254.toml", recorded(508, 490.3, 20, 254)},
                                     std::pair{"linuxcnc-router.toml", recorded(100, 1000, 200, 1000)}}) {
@@ -86,7 +86,7 @@ std::string mill() {
            limits("AXIS_Z", 2, 1, 10);
 }
 
-TEST(LinuxcncIni, InchesAreConvertedAndAreTheUnitOfPrograms) {
+TEST(LinuxcncIni, ConvertsInchesAndSetsProgramUnit) {
     const machine::Machine machine = import_text(mill()).machine;
     EXPECT_EQ(machine.name, "My mill");
     EXPECT_EQ(machine.axes.at(0).max, 76.2);
@@ -97,7 +97,7 @@ TEST(LinuxcncIni, InchesAreConvertedAndAreTheUnitOfPrograms) {
     EXPECT_EQ(machine.inverse, machine::InverseKind::gantry);
 }
 
-TEST(LinuxcncIni, AnAxisHasTheNarrowerOfItsOwnAndItsJointsLimits) {
+TEST(LinuxcncIni, AxisHasNarrowerLimitsOfAxisAndJoint) {
     std::string ini = mill();
     ini.replace(ini.find("trivkins"), 8, "trivkins coordinates=XYYZ");
     ini.replace(ini.find("JOINTS = 3"), 10, "JOINTS = 4");
@@ -110,13 +110,13 @@ TEST(LinuxcncIni, AnAxisHasTheNarrowerOfItsOwnAndItsJointsLimits) {
     EXPECT_EQ(machine.axes.at(2).home, 38.1);
 }
 
-TEST(LinuxcncIni, JointsOfOldFilesAreAxesByNumber) {
+TEST(LinuxcncIni, ReadsNumberedAxesOfOldFiles) {
     const std::string ini = std::string(kMill) + limits("AXIS_0", 3, 2, 20) + limits("AXIS_1", 2, 2, 20) +
                             limits("AXIS_2", 1, 1, 10);
     EXPECT_EQ(import_text(ini).machine.axes.at(2).max, 25.4);
 }
 
-TEST(LinuxcncIni, LimitsOfNothingAndNumbersOfJointsBeyondAnyAreTold) {
+TEST(LinuxcncIni, ReportsZeroLimitsAndInvalidSettings) {
     std::string ini = mill();
     ini.replace(ini.find("MAX_VELOCITY = 2"), 16, "MAX_VELOCITY = 0");
     EXPECT_EQ(error_of(ini), "mill.ini:12: MAX_VELOCITY of [AXIS_X] must be greater than 0");
@@ -132,7 +132,7 @@ TEST(LinuxcncIni, LimitsOfNothingAndNumbersOfJointsBeyondAnyAreTold) {
     }
 }
 
-TEST(LinuxcncIni, ThePlannersOf210) {
+TEST(LinuxcncIni, ImportsPlannerTypesOfLinuxcnc210) {
     const auto of_traj = [](const std::string& traj, const std::string& axes = "") {
         return import_text(mill() + "[TRAJ]\n" + traj + axes);
     };
@@ -157,7 +157,7 @@ TEST(LinuxcncIni, ThePlannersOf210) {
     EXPECT_NEAR(pecks.machine.controller.drilling.peck_clearance_mm, 0.05 * 25.4, 1e-9);
 }
 
-TEST(LinuxcncIni, RangesOfOverridesAreThoseOfTheDisplay) {
+TEST(LinuxcncIni, ImportsOverrideRangesFromDisplay) {
     const auto overrides_of = [](const std::string& display) {
         return import_text("[DISPLAY]\n" + display + mill()).machine.controller.overrides;
     };
@@ -170,7 +170,7 @@ TEST(LinuxcncIni, RangesOfOverridesAreThoseOfTheDisplay) {
     EXPECT_EQ(overrides_of("").feed_max_percent, 100);
 }
 
-TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
+TEST(LinuxcncIni, ReportsSettingsNotImported) {
     const ImportResult imported =
         import_text("[DISPLAY]\nDISPLAY = axis\nCYCLE_TIME = 0.1\n" + mill() +
                     "[TRAJ]\nARC_BLEND_ENABLE = 0\nARC_BLEND_OPTIMIZATION_DEPTH = "
@@ -192,7 +192,7 @@ TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
                 ElementsAre("[DISPLAY] DISPLAY, CYCLE_TIME", "[TRAJ] MAX_LINEAR_JERK", "[JOINT_0] BACKLASH"));
 }
 
-TEST(LinuxcncIni, OtherKinematicsAreRefusedByName) {
+TEST(LinuxcncIni, RejectsOtherKinematicsByName) {
     std::string ini = mill();
     ini.replace(ini.find("trivkins"), 8, "scarakins");
     EXPECT_EQ(error_of(ini),
@@ -200,7 +200,7 @@ TEST(LinuxcncIni, OtherKinematicsAreRefusedByName) {
               "file with its frames and copy the limits from here");
 }
 
-TEST(LinuxcncIni, FaultsHaveTheirPlace) {
+TEST(LinuxcncIni, ErrorsHaveSourceLocation) {
     EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = XYZ\nLINEAR_UNITS = furlong\n"),
               "mill.ini:3: LINEAR_UNITS is 'furlong'; allowed values are mm, metric, inch, in, imperial, cm");
     EXPECT_EQ(error_of("[TRAJ]\nfast\n"), "mill.ini:2: a line must be [SECTION], KEY = VALUE or a comment");
@@ -232,7 +232,7 @@ class LinuxcncFiles : public testing::Test {
     std::filesystem::path folder_;
 };
 
-TEST_F(LinuxcncFiles, ItsTablesAndIncludedFilesAreRead) {
+TEST_F(LinuxcncFiles, ReadsTablesAndIncludedFiles) {
     write("limits.inc", limits("AXIS_X", 3, 2, 20) + limits("AXIS_Y", 2, 2, 20) + limits("AXIS_Z", 2, 1, 10));
     write("mill.var", "5221 1.5\n5222 -2\n5230 30\n5161 1\n31 7\n");
     write("mill.tbl", "T2 P5 Z1.25 D0.5 ; end mill\n");
@@ -255,7 +255,7 @@ TEST_F(LinuxcncFiles, ItsTablesAndIncludedFilesAreRead) {
 }
 
 // Four files that name the next one forty times each are 2.5 million.
-TEST_F(LinuxcncFiles, FilesThatIncludeEachOtherOftenAreAnError) {
+TEST_F(LinuxcncFiles, RejectsTooManyIncludes) {
     constexpr int kFiles = 4;
     for (int i = 0; i < kFiles; ++i) {
         std::string text;
@@ -269,7 +269,7 @@ TEST_F(LinuxcncFiles, FilesThatIncludeEachOtherOftenAreAnError) {
 }
 
 // The machine file reads back as the machine, and names its source.
-TEST_F(LinuxcncFiles, TheMachineFileIsTheMachine) {
+TEST_F(LinuxcncFiles, MachineFileReadsBackEqualAndNamesSource) {
     const auto path = write("mill.ini", mill() + "[HAL]\nHALFILE = a.hal\n");
     const auto imported = import_file(path);
     ASSERT_TRUE(imported) << imported.error().message;

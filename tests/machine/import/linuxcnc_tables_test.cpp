@@ -31,7 +31,7 @@ ImportedTable tools(const std::string& text, double unit_mm = 1, std::string_vie
     return taken;
 }
 
-TEST(LinuxcncParameters, SystemsPointsAndVariables) {
+TEST(LinuxcncParameters, ImportsWorkOffsetsPointsAndVariables) {
     const ImportedTable taken = parameters(
         "31\t2.5\n5161\t10\n5183\t-4\n5210\t1\n5211\t3\n5220\t2\n5241\t-20\n5243\t7\n5250\t45\n5061\t9\n", 1);
     EXPECT_EQ(taken.error, "");
@@ -49,19 +49,19 @@ TEST(LinuxcncParameters, SystemsPointsAndVariables) {
     EXPECT_THAT(taken.notes.left_out, ElementsAre("#5220 = 2: runs begin in G54, not in that system"));
 }
 
-TEST(LinuxcncParameters, AnAxisThatTheMachineLacksIsTold) {
+TEST(LinuxcncParameters, ReportsValuesOfMissingAxis) {
     EXPECT_THAT(parameters("5225 90\n").notes.left_out,
                 ElementsAre("B of G54: the machine does not have this axis"));
     EXPECT_THAT(parameters("5225 0\n").notes.left_out, IsEmpty());
     EXPECT_EQ(parameters("5225 90\n5221 1\n", 25.4, "XYZB").data.offsets.at("54").at('B'), 90);
 }
 
-TEST(LinuxcncParameters, AWrongLineHasItsPlace) {
+TEST(LinuxcncParameters, ReportsInvalidLineWithLocation) {
     EXPECT_EQ(parameters("5161 0\nX 5\n").error,
               "mill.var:2: 'X 5' must be the number of a parameter and its value");
 }
 
-TEST(LinuxcncTools, WordsOfATool) {
+TEST(LinuxcncTools, ImportsWordsOfTool) {
     const ImportedTable taken =
         tools("; mine\nT1 P1 D0.25 Z+2.5 X-0.5 I30 J-60 Q3 ;turning\n\nT12 P12 Z1\n", 25.4);
     EXPECT_EQ(taken.error, "");
@@ -76,7 +76,7 @@ TEST(LinuxcncTools, WordsOfATool) {
     EXPECT_THAT(taken.notes.left_out, IsEmpty());
 }
 
-TEST(LinuxcncTools, WhatIsLeftOutAndWhatIsWrong) {
+TEST(LinuxcncTools, ReportsIgnoredAndInvalidWords) {
     EXPECT_THAT(tools("T0 P0 Z1\nT1 P4 A5\n").notes.left_out,
                 ElementsAre("T0: tool numbers start at 1", "A of tool 1: the machine does not have this axis",
                             "P4 of tool 1: magazine pockets"));

@@ -57,7 +57,7 @@ DynamicsModel plain_model(Random& random, int joints) {
     return model;
 }
 
-TEST(DynamicsAgainstKdl, IsTheSameOnRandomChains) {
+TEST(DynamicsAgainstKdl, EffortsAgreeOnRandomChains) {
     Random random(11);
     for (int i = 0; i < 200; ++i) {
         const Chain chain = random.chain(6, 0);
@@ -76,7 +76,7 @@ TEST(DynamicsAgainstKdl, IsTheSameOnRandomChains) {
 }
 
 // The choice between both is based on this (docs/dynamics.md); it asserts no times.
-TEST(DynamicsAgainstKdl, TellsTheTimeOfBoth) {
+TEST(DynamicsAgainstKdl, PrintsTimeOfBoth) {
     constexpr int kRounds = 20'000;
     Random random(12);
     const Chain chain = random.chain(6, 0);

@@ -31,7 +31,7 @@ Chain gantry() {
                   .end = rrs::CartPos::Identity()});
 }
 
-TEST(Dynamics, GantryIsMassTimesAccelerationAndWeightAndFriction) {
+TEST(Dynamics, GantryEffortIsInertiaPlusWeightPlusFriction) {
     DynamicsModel model = model_of({point_mass(120, {0.3, 0.7, -0.2}), point_mass(45), point_mass(18)});
     model.tool = point_mass(3.5, {0, 0, 0.1});
     model.drives[0] = {.coulomb_friction = 60, .viscous = 150, .rotor = 22, .counterweight = 0};
@@ -51,7 +51,7 @@ TEST(Dynamics, GantryIsMassTimesAccelerationAndWeightAndFriction) {
     }
 }
 
-TEST(Dynamics, TwoLinkArmIsThatOfTheTextbooks) {
+TEST(Dynamics, TwoLinkArmMatchesTextbook) {
     // Spong, Hutchinson, Vidyasagar: Robot Modeling and Control, 2006, section 7.4: the planar elbow arm in a
     // vertical plane, with distances lc1 and lc2 of the centres and moments about them.
     constexpr double kL1 = 0.6, kC1 = 0.25, kC2 = 0.2, kM1 = 11, kM2 = 7, kI1 = 0.4, kI2 = 0.15;
@@ -85,7 +85,7 @@ TEST(Dynamics, TwoLinkArmIsThatOfTheTextbooks) {
     }
 }
 
-TEST(Dynamics, TableThatTiltsHoldsAMassBesideItsAxis) {
+TEST(Dynamics, TiltingTableHoldsOffAxisMass) {
     // The table turns about X, with a mass 30 mm off and 80 mm above: J a, and the weight's lever.
     const Chain table({}, {.base = rrs::CartPos::Identity(),
                            .links = {joint(0, rrs::JointKind::revolute, Vector3d::UnitX())},
@@ -107,7 +107,7 @@ TEST(Dynamics, TableThatTiltsHoldsAMassBesideItsAxis) {
     }
 }
 
-TEST(Dynamics, HoseThatIsStretchedPullsAndDrags) {
+TEST(Dynamics, HosePullsIfStretchedAndDragsIfMoved) {
     DynamicsModel model = model_of({point_mass(1), point_mass(1), point_mass(1)});
     model.gravity_m_s2.setZero();
     model.hoses.push_back({.end = HoseEnd::tool,
@@ -131,7 +131,7 @@ TEST(Dynamics, HoseThatIsStretchedPullsAndDrags) {
     EXPECT_NEAR(slack[2], 0, 1e-12);
 }
 
-TEST(Dynamics, WorkCarriedIsAsHardToMoveAsATool) {
+TEST(Dynamics, WorkpieceNeedsSameEffortsAsTool) {
     Random random(5);
     for (int i = 0; i < 100; ++i) {
         const Chain one = random.chain(4, 0);
@@ -148,7 +148,7 @@ TEST(Dynamics, WorkCarriedIsAsHardToMoveAsATool) {
     }
 }
 
-TEST(Dynamics, AtRestOnlyWeightsCount) {
+TEST(Dynamics, EffortAtStandstillIsWeightOnly) {
     Random random(6);
     for (int i = 0; i < 100; ++i) {
         const Chain chain = random.chain(3, 2);
@@ -167,7 +167,7 @@ TEST(Dynamics, AtRestOnlyWeightsCount) {
     }
 }
 
-TEST(Dynamics, PartOfTheAccelerationIsTheMassMatrix) {
+TEST(Dynamics, InertialEffortsFollowSymmetricMassMatrix) {
     Random random(7);
     for (int i = 0; i < 100; ++i) {
         const Chain chain = random.chain(3, 2);
@@ -197,11 +197,11 @@ TEST(Dynamics, PartOfTheAccelerationIsTheMassMatrix) {
     }
 }
 
-TEST(Dynamics, ModelNeedsAllLinks) {
+TEST(Dynamics, RejectsModelWithMissingLinks) {
     EXPECT_THROW(Dynamics(gantry(), model_of({{}, {}})), std::invalid_argument);
 }
 
-TEST(Dynamics, JointsThatStandByRoundingHaveNoSense) {
+TEST(Dynamics, SpeedWithinRoundingHasNoDirection) {
     EXPECT_EQ(motion_directions(joint_pos({1e-12, -0.1, 3, 0})), joint_pos({0, -1, 1, 0}));
 }
 

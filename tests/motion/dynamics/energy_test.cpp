@@ -109,7 +109,7 @@ double potential_j(const Chain& chain, const DynamicsModel& model, const Way& pa
     return energy;
 }
 
-TEST(Energy, WorkOfTheMotorsIsWhatTheMachineHasAndWhatFrictionTakes) {
+TEST(Energy, MotorWorkIsEnergyChangePlusFriction) {
     constexpr int kSteps = 20'000;
     constexpr double kTime_s = 1.7;
     Random random(21);

@@ -7,7 +7,7 @@
 namespace gsim::dynamics {
 namespace {
 
-TEST(RigidBody, TwoHalvesAreTheWhole) {
+TEST(RigidBody, JoinsTwoCubesIntoBar) {
     // Two cubes of 1 m and 2 kg side by side are a bar of 2 m along X and 4 kg.
     const RigidBody cube{.mass_kg = 2,
                          .centre_m = {0.5, 0, 0},
@@ -21,7 +21,7 @@ TEST(RigidBody, TwoHalvesAreTheWhole) {
     EXPECT_TRUE(bar.inertia_kg_m2.isApprox(Eigen::Matrix3d(moments.asDiagonal()))) << bar.inertia_kg_m2;
 }
 
-TEST(RigidBody, TurnsWithItsFrame) {
+TEST(RigidBody, InertiaTurnsWithFrame) {
     const RigidBody rod{.mass_kg = 1, .inertia_kg_m2 = Eigen::Vector3d(0, 1, 1).asDiagonal()};
     Eigen::Isometry3d quarter = Eigen::Isometry3d::Identity();
     quarter.linear() = Eigen::AngleAxisd(kinematics::kQuarter, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -29,12 +29,12 @@ TEST(RigidBody, TurnsWithItsFrame) {
     EXPECT_TRUE(moved(rod, quarter).inertia_kg_m2.isApprox(along_y, 1e-15));
 }
 
-TEST(RigidBody, NothingJoinedWithNothingIsNothing) {
+TEST(RigidBody, JoiningEmptyBodiesGivesEmptyBody) {
     EXPECT_EQ(joined({}, {}).mass_kg, 0);
     EXPECT_TRUE(joined({}, {}).centre_m.isZero());
 }
 
-TEST(RigidBody, TensorsOfBodiesAreTakenAndOthersNot) {
+TEST(RigidBody, AcceptsOnlyPhysicalInertiaTensors) {
     Random random(1);
     for (int i = 0; i < 1000; ++i) EXPECT_EQ(find_inertia_error(random.body().inertia_kg_m2), std::nullopt);
     // A rod without thickness is the limit of bodies.

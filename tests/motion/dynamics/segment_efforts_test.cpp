@@ -31,7 +31,7 @@ motion::Segment line(const rrs::JointPos& from, const rrs::JointPos& to, double 
     return segment;
 }
 
-TEST(SegmentEfforts, TrapezoidOfOneSlide) {
+TEST(SegmentEfforts, TrapezoidMatchesHandCalculation) {
     const Dynamics dynamics = three_slide_machine(40, 0);
     SegmentEfforts efforts(dynamics);
     double peak = 0;
@@ -49,7 +49,7 @@ TEST(SegmentEfforts, TrapezoidOfOneSlide) {
     EXPECT_EQ(sums.drive_j[2], 0);
 }
 
-TEST(SegmentEfforts, RestHoldsTheWeight) {
+TEST(SegmentEfforts, StandstillHoldsWeight) {
     const Dynamics dynamics = three_slide_machine(40, 3);
     motion::Segment standstill;
     standstill.start = standstill.end = joint_pos({0, 0, 0});
@@ -61,7 +61,7 @@ TEST(SegmentEfforts, RestHoldsTheWeight) {
 }
 
 // Along a full circle at constant speed each slide reverses twice, and Coulomb's friction with it.
-TEST(SegmentEfforts, CircleAtEvenSpeed) {
+TEST(SegmentEfforts, CircleAtConstantSpeedMatchesClosedForm) {
     const Dynamics dynamics = three_slide_machine(40, 100);
     constexpr double kRadius_m = 0.05;
     constexpr double kSpeed_m_s = 0.2;

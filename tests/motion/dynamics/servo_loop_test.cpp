@@ -51,7 +51,7 @@ class Integrated {
     double velocity_;
 };
 
-TEST(ServoStep, IsTheDifferentialEquation) {
+TEST(ServoStep, SolvesDifferentialEquation) {
     std::mt19937 random(7);
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
@@ -75,7 +75,7 @@ TEST(ServoStep, IsTheDifferentialEquation) {
     }
 }
 
-TEST(ServoStep, RateIsThatOfTheError) {
+TEST(ServoStep, RateIsDerivativeOfError) {
     const ServoLoop loop{.gain_1_s = 60, .velocity_share = 0.3, .lag_s = 0.02};
     const ServoStep step(loop, {100, 300, -2000, 1e4}, {0.4, -30});
     constexpr double kStep_s = 1e-6;
@@ -88,7 +88,7 @@ TEST(ServoStep, RateIsThatOfTheError) {
 }
 
 // Parts join as if they were one: they add only the rounding of a long path.
-TEST(ServoStep, ManyShortStepsAreOneLongOne) {
+TEST(ServoStep, ManyShortStepsEqualOneLongStep) {
     const ServoLoop loop{.gain_1_s = 25, .velocity_share = 0.2, .lag_s = 0.004};
     ServoError error;
     constexpr int kSteps = 10'000;
@@ -96,7 +96,7 @@ TEST(ServoStep, ManyShortStepsAreOneLongOne) {
     EXPECT_NEAR(error.value, ServoStep(loop, {80, 0, 0, 0}, {}).at(1).value, 1e-12);
 }
 
-TEST(ServoStep, ConstantSpeedAndConstantAcceleration) {
+TEST(ServoStep, SteadyErrorMatchesClosedForm) {
     const ServoLoop loop{.gain_1_s = 40, .velocity_share = 0.25, .acceleration_share = 0.5, .lag_s = 0.003};
     EXPECT_NEAR(ServoStep(loop, {200, 0, 0, 0}, {}).at(2).value, 0.75 * 200 / 40, 1e-12);
     // On a ramp the error grows as that of the speed does, less what the lag of the growth is, and what the
@@ -105,7 +105,7 @@ TEST(ServoStep, ConstantSpeedAndConstantAcceleration) {
     EXPECT_NEAR(ServoStep(loop, {0, 1000, 0, 0}, {}).at(2).value, ramp, 1e-12);
 }
 
-TEST(ServoStep, FullFeedForwardLeavesNothing) {
+TEST(ServoStep, FullFeedForwardLeavesNoError) {
     for (const double lag_s : {0.0, 0.005}) {
         const ServoLoop loop{.gain_1_s = 30, .velocity_share = 1, .acceleration_share = 1, .lag_s = lag_s};
         const ServoStep step(loop, {120, 3000, -4e4, 1e5}, {});
@@ -113,12 +113,12 @@ TEST(ServoStep, FullFeedForwardLeavesNothing) {
     }
 }
 
-TEST(ServoStep, InfiniteGainFollowsAtOnce) {
+TEST(ServoStep, InfiniteGainLeavesNoError) {
     EXPECT_EQ(ServoStep({}, {120, 3000, 0, 0}, {}).at(0.3).value, 0);
     EXPECT_EQ(ServoLoop{}.constant_speed_lag_s(), 0);
 }
 
-TEST(ServoLoop, SlowestPartOfAnError) {
+TEST(ServoLoop, ReturnsSlowestDecayRate) {
     EXPECT_EQ((ServoLoop{.gain_1_s = 30}).slowest_1_s(), 30);
     EXPECT_NEAR((ServoLoop{.gain_1_s = 100, .lag_s = 0.01}).slowest_1_s(), 50, 1e-12);  // it swings
     // s^2 lag + s + gain has the roots -100 and -400 here.
@@ -126,7 +126,7 @@ TEST(ServoLoop, SlowestPartOfAnError) {
 }
 
 // A step of a damped loop never leaves the bound that long steps rely on.
-TEST(ServoStep, WhatIsLeftOfTheStartIsBounded) {
+TEST(ServoStep, TransientStaysWithinBound) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> any(-1, 1);
     for (int i = 0; i < 2000; ++i) {

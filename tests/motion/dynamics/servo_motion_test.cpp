@@ -43,7 +43,7 @@ double error(const ServoMotion& servos, double t_s, int joint = 0) {
     return servos.history().set_points(t_s)[joint] - servos.history().positions(t_s)[joint];
 }
 
-TEST(ServoMotion, ConstantSpeedFromTheStart) {
+TEST(ServoMotion, ErrorAtConstantSpeedIsSpeedOverGain) {
     ServoMotion servos({{.gain_1_s = 20}}, {false});
     servos.begin(joint_pos({5}));
     go(servos, path(0, joint_pos({5}), joint_pos({105}), 50, kUnlimited));
@@ -53,7 +53,7 @@ TEST(ServoMotion, ConstantSpeedFromTheStart) {
 }
 
 // The clock continues between two segments: a dwell, in which the error decays.
-TEST(ServoMotion, GapBetweenSegmentsIsARest) {
+TEST(ServoMotion, ErrorDecaysInGapBetweenSegments) {
     ServoMotion servos({{.gain_1_s = 20}}, {false});
     servos.begin(joint_pos({0}));
     go(servos, path(0, joint_pos({0}), joint_pos({100}), 50, kUnlimited));
@@ -63,7 +63,7 @@ TEST(ServoMotion, GapBetweenSegmentsIsARest) {
     EXPECT_NEAR(error(servos, 3), 2.5 * std::exp(-20), 1e-9);
 }
 
-TEST(ServoMotion, RampOfAVelocityLoopWithALag) {
+TEST(ServoMotion, VelocityLoopLagGivesErrorOnRamp) {
     const ServoLoop loop{.gain_1_s = 50, .velocity_share = 1, .lag_s = 0.004};
     ServoMotion servos({loop}, {false});
     servos.begin(joint_pos({0}));
@@ -76,7 +76,7 @@ TEST(ServoMotion, RampOfAVelocityLoopWithALag) {
     servos.leave({});
 }
 
-TEST(ServoMotion, DelayIsAddedInTime) {
+TEST(ServoMotion, DelayShiftsPositionInTime) {
     const ServoLoop loop{.gain_1_s = 40, .velocity_share = 0.5, .delay_s = 0.0123};
     ServoMotion servos({loop, {.gain_1_s = 40, .velocity_share = 0.5}}, {false, false});
     servos.begin(joint_pos({0, 0}));
@@ -94,7 +94,7 @@ TEST(ServoMotion, DelayIsAddedInTime) {
 }
 
 // Two motions at once, as on a belt: the lag is that of their sum.
-TEST(ServoMotion, RestOnABeltLagsByTheSpeedOfTheBelt) {
+TEST(ServoMotion, StandstillOnConveyorLagsByBeltSpeed) {
     ServoMotion servos({{.gain_1_s = 25}}, {false});
     servos.begin(joint_pos({0}));
     motion::Segment segment = standstill(0, joint_pos({0}), 4);
@@ -107,7 +107,7 @@ TEST(ServoMotion, RestOnABeltLagsByTheSpeedOfTheBelt) {
 }
 
 // An axis without any limit is elsewhere at once, but still takes its time.
-TEST(ServoMotion, JumpOfTheSetPointIsAnErrorAtOnce) {
+TEST(ServoMotion, SetPointJumpIsImmediateError) {
     ServoMotion servos({{.gain_1_s = 10}}, {false});
     servos.begin(joint_pos({0}));
     motion::Segment jump = standstill(0, joint_pos({0}), 0);
@@ -120,7 +120,7 @@ TEST(ServoMotion, JumpOfTheSetPointIsAnErrorAtOnce) {
 
 // e'' and what drives it on a circle: x = R cos wt through a lag of first order comes out smaller by
 // sqrt(1 + (w/K)^2) and later by atan(w/K).
-TEST(ServoMotion, CircleThroughALag) {
+TEST(ServoMotion, LagShrinksAndDelaysCircle) {
     constexpr double kRadius_mm = 20, kSpeed_mm_s = 200, kGain_1_s = 30, kTurns = 5;
     motion::Segment segment;
     segment.kind = motion::SegmentKind::circular;

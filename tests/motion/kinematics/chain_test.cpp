@@ -43,7 +43,7 @@ rrs::CartPos product(const Branch& branch, const rrs::JointPos& joints) {
     return pose * branch.end;
 }
 
-TEST(Chain, ForwardIsTheToolSeenFromTheWork) {
+TEST(Chain, ForwardIsToolPoseRelativeToWork) {
     RandomPoses random(1);
     for (int i = 0; i < 2'000; ++i) {
         const Chain chain = random_chain(random);
@@ -57,7 +57,7 @@ TEST(Chain, ForwardIsTheToolSeenFromTheWork) {
     }
 }
 
-TEST(Chain, EachJointMovesWhatIsBehindItAlongOrAboutZOfItsFrame) {
+TEST(Chain, JointMovesToolOrWorkAlongOrAboutItsZ) {
     RandomPoses random(2);
     for (int i = 0; i < 500; ++i) {
         const Chain chain = random_chain(random);
@@ -77,7 +77,7 @@ TEST(Chain, EachJointMovesWhatIsBehindItAlongOrAboutZOfItsFrame) {
     }
 }
 
-TEST(Chain, IsAProductOfExponentials) {
+TEST(Chain, EqualsProductOfExponentials) {
     RandomPoses random(3);
     for (int i = 0; i < 2'000; ++i) {
         const Chain chain = random_chain(random);
@@ -98,7 +98,7 @@ TEST(Chain, IsAProductOfExponentials) {
     }
 }
 
-TEST(Chain, AnyChainIsADenavitHartenbergTable) {
+TEST(Chain, AnyChainConvertsToDenavitHartenbergTable) {
     RandomPoses random(4);
     for (int i = 0; i < 2'000; ++i) {
         const Chain chain = random_chain(random);
@@ -112,7 +112,7 @@ TEST(Chain, AnyChainIsADenavitHartenbergTable) {
     }
 }
 
-TEST(Chain, TableOfParallelAndCommonAxes) {
+TEST(Chain, DhTableKeepsParallelAndCollinearAxes) {
     RandomPoses random(5);
     Branch tool;
     // One line, a parallel one, a parallel one against it, and one at right angles.
@@ -132,7 +132,7 @@ TEST(Chain, TableOfParallelAndCommonAxes) {
     }
 }
 
-TEST(Chain, JointsAreNumberedFromZeroUp) {
+TEST(Chain, RejectsDuplicateAndMissingJointNumbers) {
     Branch twice;
     twice.links = {Link{.joint = 0}, Link{.joint = 0}};
     EXPECT_THROW(Chain{twice}, std::invalid_argument);
@@ -162,7 +162,7 @@ TEST(Chain, IdleJointsMoveNothing) {
 }
 
 // The Jacobian against differences of poses.
-TEST(Jacobian, IsTheDerivativeOfThePose) {
+TEST(Jacobian, IsDerivativeOfPose) {
     RandomPoses random(6);
     for (int i = 0; i < 300; ++i) {
         const Chain chain = random_chain(random);

@@ -10,7 +10,7 @@ namespace {
 
 using tests::random_matrix;
 
-TEST(SolveSymmetric, GivesTheSolution) {
+TEST(SolveSymmetric, ReturnsSolution) {
     std::mt19937 random(8);
     for (Eigen::Index size = 1; size <= rrs::kMaxJoints; ++size) {
         const Eigen::MatrixXd root = random_matrix(random, size, size, size);

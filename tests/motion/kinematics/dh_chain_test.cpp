@@ -30,7 +30,7 @@ Matrix4d textbook(const DhLink& row, double value) {
     return m;
 }
 
-TEST(DhChain, ForwardIsTheProductOfTheTextbookMatrices) {
+TEST(DhChain, ForwardIsProductOfTextbookMatrices) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> number(-3, 3);
     for (int i = 0; i < 10'000; ++i) {
@@ -49,7 +49,7 @@ TEST(DhChain, ForwardIsTheProductOfTheTextbookMatrices) {
     }
 }
 
-TEST(DhChain, TableOfTheStandardGantryGivesATranslationThenRzBThenRyC) {
+TEST(DhChain, StandardGantryTranslatesThenTurnsRzBThenRyC) {
     const DhChain chain = standard_gantry();
     std::mt19937 random(4);
     std::uniform_real_distribution<double> number(-3, 3);
@@ -64,12 +64,12 @@ TEST(DhChain, TableOfTheStandardGantryGivesATranslationThenRzBThenRyC) {
     }
 }
 
-TEST(DhChain, CoordinatesOfAGantryCarryNoRounding) {
+TEST(DhChain, GantryCoordinatesHaveNoRounding) {
     const rrs::CartPos pose = standard_gantry().forward(joint_pos({1234.5, 77.25, 300.125, 0, 0}));
     EXPECT_EQ(pose.matrix(), (rrs::CartPos(Eigen::Translation3d(1234.5, 77.25, 300.125)).matrix()));
 }
 
-TEST(DhChain, FramesBeginWithTheBaseAndEndWithTheTool) {
+TEST(DhChain, FramesBeginWithBaseAndEndWithTool) {
     rrs::CartPos tool = rrs::CartPos::Identity();
     tool.translation().z() = -150;
     const DhChain chain(gantry_base(), gantry_rows(), tool);
@@ -83,12 +83,12 @@ TEST(DhChain, FramesBeginWithTheBaseAndEndWithTheTool) {
     EXPECT_TRUE(frames.back().isApprox(frames[5] * tool));
 }
 
-TEST(DhChain, WithoutJointsItIsTheToolOnTheBase) {
+TEST(DhChain, IsToolOnBaseWithoutJoints) {
     const DhChain chain(gantry_base(), {}, gantry_base());
     EXPECT_TRUE(chain.forward(rrs::JointPos()).isApprox(gantry_base() * gantry_base()));
 }
 
-TEST(DhChain, TooManyJointsAreRefused) {
+TEST(DhChain, RejectsTooManyJoints) {
     const std::vector<DhLink> rows(17);
     EXPECT_THROW(DhChain(gantry_base(), rows, gantry_base()), std::invalid_argument);
 }

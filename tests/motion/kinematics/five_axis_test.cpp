@@ -50,7 +50,7 @@ Chain random_machine(RandomPoses& random, int rotary) {
     return Chain(tool, work);
 }
 
-TEST(FiveAxis, InverseAndForwardUndoEachOtherOnRandomMachines) {
+TEST(FiveAxis, InverseInvertsForwardOnRandomMachines) {
     RandomPoses random(11);
     for (int machine = 0; machine < 200; ++machine) {
         const auto gantry = GantryKinematics::make(random_machine(random, machine % 3));
@@ -70,7 +70,7 @@ TEST(FiveAxis, InverseAndForwardUndoEachOtherOnRandomMachines) {
 }
 
 // Every solution has the TCP and the tool's axis right; two rotary axes can tilt in two directions.
-TEST(FiveAxis, AllSolutionsPointTheToolTheSameWay) {
+TEST(FiveAxis, AllSolutionsGiveSameToolDirection) {
     RandomPoses random(12);
     for (int machine = 0; machine < 100; ++machine) {
         const auto gantry = GantryKinematics::make(random_machine(random, 2)).value();
@@ -93,7 +93,7 @@ TEST(FiveAxis, AllSolutionsPointTheToolTheSameWay) {
     }
 }
 
-TEST(FiveAxis, ASolutionInRangeComesBeforeANearerOne) {
+TEST(FiveAxis, PrefersSolutionInRangeToNearerOne) {
     std::vector<JointRange> ranges(5);
     ranges[4] = {.min = -0.1, .max = 2};  // tilts to one side
     const auto gantry = GantryKinematics::make(standard_gantry(), ranges).value();
@@ -105,7 +105,7 @@ TEST(FiveAxis, ASolutionInRangeComesBeforeANearerOne) {
     EXPECT_NEAR(all[1][4], -0.3, 1e-9);
 }
 
-TEST(FiveAxis, WholeTurnsStayInRange) {
+TEST(FiveAxis, FullTurnsStayInRange) {
     std::vector<JointRange> ranges(5);
     ranges[3] = {.min = -1, .max = 6};
     const auto gantry = GantryKinematics::make(standard_gantry(), ranges).value();
@@ -120,7 +120,7 @@ TEST(FiveAxis, WholeTurnsStayInRange) {
 }
 
 // Z after the tilting axis lies along Y if that axis has turned by 90 degrees.
-TEST(FiveAxis, SlidesThatFallIntoAPlaneAreSingular) {
+TEST(FiveAxis, ReportsSingularityIfLinearAxesAreCoplanar) {
     Branch tool;
     tool.links = {joint_along(0, JointKind::prismatic, Vector3d::UnitX(), Vector3d::Zero()),
                   joint_along(1, JointKind::prismatic, Vector3d::UnitY(), Vector3d::Zero()),
@@ -134,7 +134,7 @@ TEST(FiveAxis, SlidesThatFallIntoAPlaneAreSingular) {
 }
 
 // A head that turns the tool about its TCP is defined by its TCP, not by its directions alone.
-TEST(FiveAxis, ATipOffTheRotationPointMakesNoTiltingHead) {
+TEST(FiveAxis, HasNoTiltingHeadIfTcpIsOffRotationPoint) {
     const auto with_tool = [](double z_mm) {
         return GantryKinematics::make(DhChain(gantry_base(), gantry_rows(), pose_from_rpy({.z_mm = z_mm})))
             .value()
@@ -144,7 +144,7 @@ TEST(FiveAxis, ATipOffTheRotationPointMakesNoTiltingHead) {
     EXPECT_FALSE(with_tool(-100));
 }
 
-TEST(FiveAxis, OutOfReachTellsByHowMuch) {
+TEST(FiveAxis, ReportsAngularErrorOfUnreachablePose) {
     auto rows = gantry_rows();
     rows.pop_back();  // upright, about the vertical alone
     const auto gantry =

@@ -28,7 +28,7 @@ rrs::CartPos spun(double b, double c, double spin) {
     return pose;
 }
 
-TEST(GantryOrientation, ToolAxisIsMatchedWhereTheWholeRotationCannotBe) {
+TEST(GantryOrientation, MatchesToolAxisIfFullRotationIsUnreachable) {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> number(-3, 3);
     for (int i = 0; i < 20'000; ++i) {
@@ -42,7 +42,7 @@ TEST(GantryOrientation, ToolAxisIsMatchedWhereTheWholeRotationCannotBe) {
     }
 }
 
-TEST(GantryOrientation, OfTwoSolutionsTheNearestIsTaken) {
+TEST(GantryOrientation, ReturnsNearestOfTwoSolutions) {
     // (b, c) and (b + pi, -c) point the tool in the same direction.
     const auto first = gantry()->inverse(spun(0.5, 0.3, 1), joint_pos({0, 0, 0, 0.6, 0.2})).value();
     EXPECT_NEAR(first[3], 0.5, 1e-9);
@@ -52,14 +52,14 @@ TEST(GantryOrientation, OfTwoSolutionsTheNearestIsTaken) {
     EXPECT_NEAR(second[4], -0.3, 1e-9);
 }
 
-TEST(GantryOrientation, WholeTurnsFollowTheNearPosition) {
+TEST(GantryOrientation, FullTurnsFollowNearPosition) {
     const rrs::CartPos pose = gantry()->forward(joint_pos({0, 0, 0, 0.5, 0.3}));
     const auto q = gantry()->inverse(pose, joint_pos({0, 0, 0, 4 * kPi, 0})).value();
     EXPECT_NEAR(q[3], 0.5 + 4 * kPi, 1e-9);
     EXPECT_NEAR(q[4], 0.3, 1e-9);
 }
 
-TEST(GantryOrientation, UprightToolTakesTheFirstAxisFromThePoseIfThatIsReachable) {
+TEST(GantryOrientation, UprightToolTakesFirstAxisFromPose) {
     const auto q =
         gantry()->inverse(gantry()->forward(joint_pos({0, 0, 0, 0.7, 0})), joint_pos({0, 0, 0, 2, 0.1}));
     EXPECT_NEAR((*q)[3], 0.7, 1e-12);
@@ -76,7 +76,7 @@ TEST(GantryOrientation, SmallTiltsLoseNoAccuracy) {
 }
 
 // With the second axis at 45 degrees and the tool along the first, the upside-down direction is beyond reach.
-TEST(GantryOrientation, ToolAxisOutOfReachIsAnError) {
+TEST(GantryOrientation, ReportsUnreachableToolAxis) {
     std::vector<DhLink> rows = gantry_rows();
     rows[3].alpha_rad = kPi / 6;
     rows[4].alpha_rad = -kPi / 6;
@@ -87,7 +87,7 @@ TEST(GantryOrientation, ToolAxisOutOfReachIsAnError) {
 }
 
 // If the tool is along the second axis, that axis is the turn about the tool: the machine has no free choice.
-TEST(GantryOrientation, ToolAlongTheSecondAxisIsTurnedAsThePoseSays) {
+TEST(GantryOrientation, ToolAlongSecondAxisTurnsAsPoseRequires) {
     std::vector<DhLink> rows = gantry_rows();
     rows[4].alpha_rad = 0;
     const auto head = GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).value();
@@ -99,7 +99,7 @@ TEST(GantryOrientation, ToolAlongTheSecondAxisIsTurnedAsThePoseSays) {
 }
 
 // The pole is the tool's direction with the tilt undone, wherever the head is turned.
-TEST(GantryOrientation, AHeadTiltsTheToolFromItsPole) {
+TEST(GantryOrientation, HeadTiltsToolFromPole) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> number(-1.5, 1.5);
     for (int i = 0; i < 100; ++i) {
@@ -125,7 +125,7 @@ TEST(GantryOrientation, AHeadTiltsTheToolFromItsPole) {
     }
 }
 
-TEST(GantryOrientation, AHeadNeedsRightAngles) {
+TEST(GantryOrientation, TiltingHeadNeedsRightAngles) {
     auto rows = gantry_rows();
     EXPECT_TRUE(GantryKinematics::make(standard_gantry()).value()->tilting_head());
     rows[3].alpha_rad = -kQuarter + 0.1;
@@ -143,7 +143,7 @@ TEST(GantryOrientation, AHeadNeedsRightAngles) {
                      ->tilting_head());
 }
 
-TEST(GantryOrientation, UprightToolStaysUprightWithoutRotaryAxes) {
+TEST(GantryOrientation, AcceptsOnlyUprightToolWithoutRotaryAxes) {
     const auto rows = std::vector{slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0)};
     const auto three = GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).value();
     EXPECT_TRUE(three->inverse(pose_from_rpy({.x_mm = 5, .roll_rad = 1}), joint_pos({0, 0, 0})));

@@ -49,11 +49,11 @@ void expect_round_trips(const GantryKinematics& gantry, unsigned seed) {
     }
 }
 
-TEST(Gantry, InverseAndForwardUndoEachOther) {
+TEST(Gantry, InverseInvertsForward) {
     expect_round_trips(*make(gantry_rows()), 1);
 }
 
-TEST(Gantry, InverseWorksWithOtherOrdersOfTheSlides) {
+TEST(Gantry, InverseWorksWithOtherOrdersOfLinearAxes) {
     // Any base, and slides along its Z, then -Y, then X.
     const rrs::CartPos base =
         pose_from_rpy({.x_mm = 100, .y_mm = -7, .roll_rad = 0.3, .pitch_rad = -1.1, .yaw_rad = 2});
@@ -62,7 +62,7 @@ TEST(Gantry, InverseWorksWithOtherOrdersOfTheSlides) {
     expect_round_trips(*make(rows, base), 2);
 }
 
-TEST(Gantry, InverseWorksWithRotaryAxesAtAnyAngle) {
+TEST(Gantry, InverseWorksWithNutatingHead) {
     // A nutating head: the second axis at 45 degrees to the first.
     expect_round_trips(
         *make({slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0), turn(0, kPi / 4), turn(0, 0.3)}),
@@ -74,14 +74,14 @@ TEST(Gantry, InverseWorksWithOneRotaryAxisOrNone) {
     expect_round_trips(*make({slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0)}), 5);
 }
 
-TEST(Gantry, TipStaysWhileTheRotaryAxesTurn) {
+TEST(Gantry, TcpStaysWhileRotaryAxesTurn) {
     const auto gantry = make(gantry_rows());
     const Eigen::Vector3d a = gantry->forward(joint_pos({100, 200, 300, 0, 0})).translation();
     const Eigen::Vector3d b = gantry->forward(joint_pos({100, 200, 300, 2, -1})).translation();
     EXPECT_LT((a - b).norm(), 1e-9);
 }
 
-TEST(Gantry, RefusesMachinesOfAnotherBuild) {
+TEST(Gantry, RejectsUnsupportedKinematics) {
     const auto error_text = [](std::vector<DhLink> rows) {
         return GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).error();
     };
@@ -103,7 +103,7 @@ TEST(Gantry, RefusesMachinesOfAnotherBuild) {
     EXPECT_THAT(error_text(rows), HasSubstr("not finite"));
 }
 
-TEST(Gantry, RefusesWhatIsNoPoseAndNoNearPosition) {
+TEST(Gantry, RejectsInvalidPoseAndNearPosition) {
     const auto gantry = make(gantry_rows());
     rrs::CartPos pose = rrs::CartPos::Identity();
     EXPECT_FALSE(gantry->inverse(pose, joint_pos({0, 0, 0})));

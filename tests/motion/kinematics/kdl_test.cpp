@@ -9,7 +9,7 @@
 namespace gsim::kinematics::kdl_test {
 namespace {
 
-TEST(Kdl, ForwardOfRandomTablesIsTheSame) {
+TEST(KinematicsAgainstKdl, ForwardAgreesForRandomTables) {
     RandomPoses random(7);
     for (int i = 0; i < 3'000; ++i) {
         std::vector<DhLink> rows;
@@ -25,7 +25,7 @@ TEST(Kdl, ForwardOfRandomTablesIsTheSame) {
     }
 }
 
-TEST(Kdl, ForwardOfJointFramesOnBothSidesIsTheSame) {
+TEST(KinematicsAgainstKdl, ForwardAgreesForToolAndWorkChains) {
     RandomPoses random(8);
     for (int i = 0; i < 3'000; ++i) {
         Branch tool{.base = random.pose(500), .links = {}, .end = random.pose(100)};

@@ -42,7 +42,7 @@ TEST(Numeric, FindsJointsForRandomPoses) {
 }
 
 // With a spherical wrist and an arm of three links, a pose generally has eight solutions.
-TEST(Numeric, AllEightSolutionsOfAnArmAreFound) {
+TEST(Numeric, FindsAllEightSolutionsOfArm) {
     const auto robot = numeric();
     const rrs::JointPos q = joint_pos({0.3, 0.8, -0.4, 0.6, 0.9, -1});
     const rrs::CartPos pose = robot->forward(q);
@@ -70,7 +70,7 @@ TEST(Numeric, SolutionsStayInRange) {
     }
 }
 
-TEST(Numeric, TakesAnyChain) {
+TEST(Numeric, SolvesRandomChains) {
     RandomPoses random(23);
     for (int machine = 0; machine < 30; ++machine) {
         Branch tool{.base = random.pose(300), .links = {}, .end = random.pose(100)};
@@ -91,7 +91,7 @@ TEST(Numeric, TakesAnyChain) {
     }
 }
 
-TEST(Numeric, OutOfReachSaysByHowMuch) {
+TEST(Numeric, ReportsNearestPoseIfOutOfReach) {
     const auto robot = numeric();
     // Straight up, beyond the stretched arm: hypot(431.8, ...) + 100 mm of tool.
     const rrs::CartPos far = pose_from_rpy({.x_mm = 3000});
@@ -103,14 +103,14 @@ TEST(Numeric, OutOfReachSaysByHowMuch) {
                 HasSubstr("at a limit of the range"));
 }
 
-TEST(Numeric, JointsThatLineUpAreNamed) {
+TEST(Numeric, ReturnsAlignedJoints) {
     const auto robot = numeric();
     EXPECT_EQ(robot->aligned_joints(joint_pos({0.3, 0.8, -0.4, 0.6, 0, -1})), (std::vector{3, 5}));
     EXPECT_EQ(robot->aligned_joints(joint_pos({0.3, 0.8, -0.4, 0.6, 0.5, -1})), std::vector<int>{});
 }
 
 // The wrist straight: any share of the turn between joints 3 and 5 will do.
-TEST(Numeric, SingularPosesAreReached) {
+TEST(Numeric, ReachesSingularPose) {
     const auto robot = numeric();
     const rrs::JointPos q = joint_pos({0.3, 0.8, -0.4, 0.6, 0, -1});
     const rrs::CartPos pose = robot->forward(q);
@@ -118,7 +118,7 @@ TEST(Numeric, SingularPosesAreReached) {
     EXPECT_LT(pose_distance(robot->forward(found), pose), 1e-6);
 }
 
-TEST(Numeric, RefusesWhatItCannotWorkWith) {
+TEST(Numeric, RejectsInvalidInput) {
     EXPECT_FALSE(NumericKinematics::make(Chain(Branch{})));
     EXPECT_FALSE(NumericKinematics::make(arm(), std::vector<JointRange>(5)));
     EXPECT_FALSE(NumericKinematics::make(arm(), std::vector<JointRange>(6, {.min = 1, .max = 0})));

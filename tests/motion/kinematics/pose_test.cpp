@@ -26,7 +26,7 @@ TEST(Pose, YawActsFirstAndRollLast) {
     EXPECT_TRUE((pose * Vector3d::UnitY()).isApprox(Vector3d(1, 1, 0)));
 }
 
-TEST(Pose, AnglesComeBackFromRandomPoses) {
+TEST(Pose, AnglesRoundTripOnRandomPoses) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> angle(-3.1, 3.1);
     for (int i = 0; i < 100'000; ++i) {
@@ -40,7 +40,7 @@ TEST(Pose, AnglesComeBackFromRandomPoses) {
     }
 }
 
-TEST(Pose, GimbalLockPutsAllIntoRoll) {
+TEST(Pose, GimbalLockSetsYawToZero) {
     for (const double pitch : {kPi / 2, -kPi / 2}) {
         const rrs::CartPos pose = pose_from_rpy({.roll_rad = 0.3, .pitch_rad = pitch, .yaw_rad = 0.8});
         const Rpy rpy = rpy_from_pose(pose);
@@ -49,7 +49,7 @@ TEST(Pose, GimbalLockPutsAllIntoRoll) {
     }
 }
 
-TEST(Pose, CheckTellsWhatIsNoPose) {
+TEST(Pose, CheckReportsInvalidPose) {
     rrs::CartPos pose = pose_from_rpy({.roll_rad = 1, .pitch_rad = 2, .yaw_rad = 3});
     EXPECT_TRUE(check_pose(pose));
     pose.translation().x() = std::numeric_limits<double>::quiet_NaN();

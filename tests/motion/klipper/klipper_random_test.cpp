@@ -146,7 +146,7 @@ class RandomPath {
     bool climbs_ = false;
 };
 
-TEST(KlipperRandom, SpeedsAreThoseOfTheWholePath) {
+TEST(KlipperRandom, SpeedsEqualThoseOfCompletePath) {
     for (unsigned seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE(seed);
         RandomPath run(seed);
@@ -170,7 +170,7 @@ TEST(KlipperRandom, SpeedsAreThoseOfTheWholePath) {
 }
 
 // Moves of a long path leave the model during planning.
-TEST(KlipperRandom, HoldsNoMoreThanWhatItBrakesOn) {
+TEST(KlipperRandom, BuffersOnlyFewMovesOfLongPath) {
     KlipperPath path;
     for (int i = 1; i <= 20'000; ++i) {
         const double angle = i * 0.001;

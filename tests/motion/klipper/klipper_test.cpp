@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kEqualTolerance = 1e-9;
 
-TEST(Klipper, ALongLineIsATrapezoid) {
+TEST(Klipper, LongLineIsTrapezoid) {
     KlipperPath path;
     path.line(rrs::JointPos(Eigen::Vector3d(100, 0, 0)), 200);
     path.standstill();
@@ -19,14 +19,14 @@ TEST(Klipper, ALongLineIsATrapezoid) {
     EXPECT_EQ(path.segments().front().limited_by.kind, LimitKind::path_speed);
 }
 
-TEST(Klipper, ADiagonalIsNoFasterThanTheXAxis) {
+TEST(Klipper, DiagonalIsNoFasterThanXAxis) {
     KlipperPath path;
     path.line(80, 60);
     path.standstill();
     EXPECT_NEAR(path.time_s(), 1.1, kEqualTolerance);
 }
 
-TEST(Klipper, TheZAxisLowersThePathBySharesOfTheWay) {
+TEST(Klipper, ZAxisLimitsPathByItsShare) {
     KlipperPath ascent;
     ascent.line(0, 0, 20);
     ascent.line(0, 0, 0);
@@ -39,7 +39,7 @@ TEST(Klipper, TheZAxisLowersThePathBySharesOfTheWay) {
     EXPECT_NEAR(slope.time_s(), 50 / v + v / a, kEqualTolerance);
 }
 
-TEST(Klipper, AShortMoveCruisesOverItsShare) {
+TEST(Klipper, ShortMoveCruisesOverMinimumRatio) {
     KlipperPath path;
     path.line(3, 0);
     path.standstill();
@@ -49,7 +49,7 @@ TEST(Klipper, AShortMoveCruisesOverItsShare) {
     EXPECT_NEAR(path.time_s(), 0.1161895, 1e-7);
 }
 
-TEST(Klipper, WithoutACruiseRatioAShortMoveIsATriangle) {
+TEST(Klipper, ShortMoveIsTriangleWithoutCruiseRatio) {
     KlipperPath path;
     path.setup().controller.klipper.minimum_cruise_ratio = 0;
     path.line(3, 0);
@@ -57,14 +57,14 @@ TEST(Klipper, WithoutACruiseRatioAShortMoveIsATriangle) {
     EXPECT_NEAR(path.time_s(), 2 * std::sqrt(3.0 / 1000), kEqualTolerance);
 }
 
-TEST(Klipper, TheShareIsThatOfARiseAndFallOfSeveralMoves) {
+TEST(Klipper, CruiseRatioSpansSeveralMoves) {
     KlipperPath path;
     for (const double x : {1.0, 2.0, 3.0}) path.line(x, 0);
     path.standstill();
     EXPECT_NEAR(path.time_s(), 0.1161895, 1e-7);  // as the one move of 3 mm
 }
 
-TEST(Klipper, ARightAngleIsPassedAtTheSquareCornerVelocity) {
+TEST(Klipper, PassesRightAngleAtSquareCornerVelocity) {
     KlipperPath path;
     path.line(50, 0);
     path.line(50, 50);
@@ -73,7 +73,7 @@ TEST(Klipper, ARightAngleIsPassedAtTheSquareCornerVelocity) {
     EXPECT_EQ(path.segments()[0].master.end_speed(), path.segments()[1].master.start_speed());
 }
 
-TEST(Klipper, AReversalStopsAndAStraightJunctionDoesNotSlow) {
+TEST(Klipper, StopsAtReversalButNotAtStraightJunction) {
     KlipperPath back;
     back.line(50, 0);
     back.line(0, 0);
@@ -87,7 +87,7 @@ TEST(Klipper, AReversalStopsAndAStraightJunctionDoesNotSlow) {
 }
 
 // The circle that fits into chords of 0.1 mm touches them in their middles.
-TEST(Klipper, ShortChordsArePassedBySpeedsOfTheCircleThatFitsIn) {
+TEST(Klipper, InscribedCircleLimitsSpeedOfShortChords) {
     KlipperPath path;
     const double turn = 0.2, chord = 0.1;
     double x = 0, y = 0;
@@ -98,7 +98,7 @@ TEST(Klipper, ShortChordsArePassedBySpeedsOfTheCircleThatFitsIn) {
     EXPECT_NEAR(path.segments()[50].master.start_speed(), speed, 1e-6);
 }
 
-TEST(Klipper, ArcsBecomeAsManyChordsAsTheResolutionAllows) {
+TEST(Klipper, ResolutionSetsChordCountOfArc) {
     KlipperPath path;
     ASSERT_TRUE(path.arc(2, kPi));  // 6.28 mm
     ASSERT_TRUE(path.arc(0.1, 1));
@@ -113,7 +113,7 @@ TEST(Klipper, ArcsBecomeAsManyChordsAsTheResolutionAllows) {
     EXPECT_EQ(rejected.error().status, rrs::Status::RRS_MOTION_TYPE_NOT_SUPPORTED);
 }
 
-TEST(Klipper, RapidsKeepThePathsLimitsToo) {
+TEST(Klipper, RapidsKeepPathLimits) {
     KlipperPath path;
     path.rapid = true;
     path.line(100, 0);
@@ -121,7 +121,7 @@ TEST(Klipper, RapidsKeepThePathsLimitsToo) {
     EXPECT_NEAR(path.time_s(), 1.1, kEqualTolerance);
 }
 
-TEST(Klipper, AnExactStopIsObeyed) {
+TEST(Klipper, StopsAtExactStop) {
     KlipperPath path;
     path.mode = rrs::PathMode::exact_stop;
     path.line(50, 0);
@@ -130,7 +130,7 @@ TEST(Klipper, AnExactStopIsObeyed) {
     EXPECT_NEAR(path.time_s(), 2 * 0.6, kEqualTolerance);
 }
 
-TEST(Klipper, EachMoveKeepsTheLimitsWithWhichItWasRead) {
+TEST(Klipper, LaterLimitsLeaveEarlierMovesUnchanged) {
     KlipperPath path;
     path.line(100, 0);
     path.setup().path.max_acceleration_mm_s2 = 500;
@@ -139,7 +139,7 @@ TEST(Klipper, EachMoveKeepsTheLimitsWithWhichItWasRead) {
     EXPECT_NEAR(path.time_s(), 2 + 0.05 + 0.1, kEqualTolerance);
 }
 
-TEST(Klipper, WhatHasNoLimitsIsRefused) {
+TEST(Klipper, RejectsMoveWithoutLimits) {
     KlipperPath path;
     path.setup().path = {};
     const PlanResult rejected = path.enqueue(rrs::JointPos::Unit(3, 0));
@@ -154,7 +154,7 @@ rrs::JointPos at(double x, double e, double z = 0) {
     return joints;
 }
 
-TEST(KlipperExtruder, AloneItKeepsItsOwnLimitsAndAllStandsAtItsEnds) {
+TEST(KlipperExtruder, KeepsOwnLimitsAndStopsToolIfMovingAlone) {
     KlipperPath path{printer_setup()};
     path.line(at(50, 0));
     path.line(at(50, -20), 200);
@@ -163,21 +163,21 @@ TEST(KlipperExtruder, AloneItKeepsItsOwnLimitsAndAllStandsAtItsEnds) {
     EXPECT_NEAR(path.time_s(), 2 * (0.5 + 0.1) + 20.0 / 80 + 80.0 / 800, kEqualTolerance);
 }
 
-TEST(KlipperExtruder, WhatItLaysOnTheWayDoesNotSlowTheTool) {
+TEST(KlipperExtruder, ExtrusionAlongPathDoesNotSlowTool) {
     KlipperPath path{printer_setup()};
     path.line(at(100, 100));
     path.standstill();
     EXPECT_NEAR(path.time_s(), 1.1, kEqualTolerance);
 }
 
-TEST(KlipperExtruder, DrawnBackOnTheWayItLowersTheTool) {
+TEST(KlipperExtruder, RetractionAlongPathSlowsTool) {
     KlipperPath path{printer_setup()};
     path.line(at(100, -200));
     path.standstill();
     EXPECT_NEAR(path.time_s(), 100.0 / 40 + 40.0 / 400, kEqualTolerance);
 }
 
-TEST(KlipperExtruder, AsDoesWhatItPushesWhileTheToolOnlyClimbs) {
+TEST(KlipperExtruder, ExtrusionDuringZMoveSlowsTool) {
     KlipperPath path{printer_setup()};
     path.line(at(0, 20, 2));  // E: 8 mm/s along the path; Z: 20
     path.standstill();
@@ -185,7 +185,7 @@ TEST(KlipperExtruder, AsDoesWhatItPushesWhileTheToolOnlyClimbs) {
     EXPECT_NEAR(path.time_s(), 2 / v + v / a, kEqualTolerance);
 }
 
-TEST(KlipperExtruder, ChangesOfItsShareAreJumpsOfItsSpeed) {
+TEST(KlipperExtruder, ExtrusionRateChangeLimitsJunctionSpeed) {
     KlipperPath path{printer_setup()};
     path.line(at(50, 5));     // 0.1 mm each mm
     path.line(at(100, 5.5));  // 0.01

@@ -21,7 +21,7 @@ double distance_to(const LinuxcncRun& run, double x, double y) {
     return nearest;
 }
 
-TEST(LinuxcncBlend, MissesACornerByTheTolerance) {
+TEST(LinuxcncBlend, DeviatesFromCornerByTolerance) {
     for (const double tolerance_mm : {0.05, 0.5, 5.0}) {
         LinuxcncRun run(fast_machine());
         run.next.mode = rrs::PathMode::continuous;
@@ -46,7 +46,7 @@ TEST(LinuxcncBlend, MissesACornerByTheTolerance) {
     }
 }
 
-TEST(LinuxcncBlend, WithoutAToleranceTakesHalfOfALine) {
+TEST(LinuxcncBlend, UsesHalfOfLineWithoutTolerance) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -57,7 +57,7 @@ TEST(LinuxcncBlend, WithoutAToleranceTakesHalfOfALine) {
     EXPECT_NEAR(distance_to(run, 100, 0), 50 * (std::sqrt(2.0) - 1), 1e-3);
 }
 
-TEST(LinuxcncBlend, TouchesLinesAndArcsWithoutAKink) {
+TEST(LinuxcncBlend, JoinsLinesAndArcsTangentially) {
     std::mt19937 random(31);
     std::uniform_real_distribution<double> number(-1, 1);
     int blends = 0;
@@ -90,7 +90,7 @@ TEST(LinuxcncBlend, TouchesLinesAndArcsWithoutAKink) {
     EXPECT_GT(blends, 100);
 }
 
-TEST(LinuxcncBlend, RotaryMovesBlendInParabolas) {
+TEST(LinuxcncBlend, BlendsRotaryMovesInParabolas) {
     LinuxcncRun run(fast_machine(), 0);
     run.next.mode = rrs::PathMode::continuous;
     rrs::JointPos joints = run.next.start;
@@ -123,7 +123,7 @@ TEST(LinuxcncBlend, RotaryMovesBlendInParabolas) {
     EXPECT_GT(both.at(both.duration_s / 2).acceleration[1], 0);
 }
 
-TEST(LinuxcncBlend, AToleranceBoundsParabolas) {
+TEST(LinuxcncBlend, ToleranceLimitsParabolas) {
     // For two motions at right angles, the speed at the start of the second is at most 2 sqrt(a P / cos 45
     // deg).
     for (const double tolerance_mm : {0.01, 0.1, 1.0}) {
@@ -150,7 +150,7 @@ TEST(LinuxcncBlend, AToleranceBoundsParabolas) {
     }
 }
 
-TEST(LinuxcncBlend, OverlapsStartWithAPeriod) {
+TEST(LinuxcncBlend, OverlapsTakeFullServoPeriods) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     rrs::JointPos joints = run.next.start;

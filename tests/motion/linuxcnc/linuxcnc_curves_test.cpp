@@ -31,15 +31,15 @@ double rest_to_rest_s(double length_mm, double jerk) {
     return reached < kV ? 2 * ramp_s(reached, jerk) : length_mm / kV + ramp_s(kV, jerk);
 }
 
-class LinuxcncCurves : public testing::TestWithParam<double> {
+class LinuxcncSCurves : public testing::TestWithParam<double> {
   protected:
     double jerk() const { return GetParam(); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Jerks, LinuxcncCurves, testing::Values(5e3, 2e4, 1e6, 1e9));
+INSTANTIATE_TEST_SUITE_P(Jerks, LinuxcncSCurves, testing::Values(5e3, 2e4, 1e6, 1e9));
 
 // The time is a number of full periods; the last one is that in which no more than 1e-6 mm remains.
-TEST_P(LinuxcncCurves, ALineFromRestToRestTakesWholePeriods) {
+TEST_P(LinuxcncSCurves, RestToRestLineTakesFullServoPeriods) {
     const double creep_s = std::cbrt(6e-6 / jerk()) + std::sqrt(2e-6 / kA);
     for (const double length_mm : {0.01, 0.5, 10.0, 1000.0}) {
         LinuxcncRun run(router_2_10(jerk()));
@@ -52,7 +52,7 @@ TEST_P(LinuxcncCurves, ALineFromRestToRestTakesWholePeriods) {
     }
 }
 
-TEST_P(LinuxcncCurves, JointsOfChordsAreNoFasterThanAChordAlone) {
+TEST_P(LinuxcncSCurves, JunctionsOfChordsAreNoFasterThanSingleChord) {
     constexpr double kLength_mm = 0.5;
     LinuxcncRun run(router_2_10(jerk()));
     run.next.mode = rrs::PathMode::exact_path;
@@ -69,7 +69,7 @@ TEST_P(LinuxcncCurves, JointsOfChordsAreNoFasterThanAChordAlone) {
     EXPECT_NEAR(run.segments[30].master.end_speed(), peak(kLength_mm, jerk()), 1e-6);
 }
 
-TEST_P(LinuxcncCurves, TheLastLineIsMetAtWhatItCanBrake) {
+TEST_P(LinuxcncSCurves, EntersLastLineAtBrakableSpeed) {
     for (const auto& [mode, share] :
          {std::pair{rrs::PathMode::exact_path, 1.0}, std::pair{rrs::PathMode::continuous, 0.5}}) {
         LinuxcncRun run(router_2_10(jerk()));
@@ -87,7 +87,7 @@ TEST_P(LinuxcncCurves, TheLastLineIsMetAtWhatItCanBrake) {
 
 // Consecutive lines of all lengths and feeds, except for the last joint: LinuxCNC drops the jerk limit if it
 // cannot reach the speed there.
-TEST_P(LinuxcncCurves, LimitsAreKeptAlongLines) {
+TEST_P(LinuxcncSCurves, KeepLimitsAlongLines) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int program = 0; program < 40; ++program) {
@@ -122,7 +122,7 @@ double circle_s(double radius_mm, double jerk, double feed_mm_s, double period_s
 }
 
 // 20 mm/s at a jerk of 20000 and a radius of 20 mm, whatever the feed.
-TEST(LinuxcncCurvesOnArcs, TheServoPeriodLimitsTheSpeed) {
+TEST(LinuxcncSCurvesOnArcs, ServoPeriodLimitsSpeed) {
     for (const double feed_mm_s : {30.0, 60.0, 100.0}) {
         for (const double period_s : {1e-3, 4e-3}) {
             const double speed = std::sqrt(20000 * 20 * period_s);
@@ -135,14 +135,14 @@ TEST(LinuxcncCurvesOnArcs, TheServoPeriodLimitsTheSpeed) {
     }
 }
 
-TEST(LinuxcncCurvesOnArcs, AJerkBeyondAllIsThatOfStraightRamps) {
+TEST(LinuxcncSCurvesOnArcs, HugeJerkGivesTimeOfLinearRamps) {
     LinuxcncRun straight(router_2_10());
     ASSERT_TRUE(straight.arc(20, 0, 2 * kPi));
     EXPECT_NEAR(circle_s(20, 1e9, 100, kPeriod_s), straight.end(), 2 * kPeriod_s);
 }
 
 // A larger tolerance makes for a wider and slower arc: 12.1 s, 6.71 s and 5.01 s for a square of this kind.
-TEST(LinuxcncCurvesAtCorners, WiderBlendsAreSlower) {
+TEST(LinuxcncSCurvesAtCorners, WiderBlendsAreSlower) {
     double last_s = 0;
     for (const double tolerance_mm : {0.05, 0.5, 0.0}) {
         LinuxcncRun run(router_2_10(5000));
@@ -156,7 +156,7 @@ TEST(LinuxcncCurvesAtCorners, WiderBlendsAreSlower) {
     }
 }
 
-TEST(LinuxcncCurvesOfRotaryAxes, AnAxisHasItsOwnJerk) {
+TEST(LinuxcncSCurvesOfRotaryAxes, RotaryAxisUsesItsJerkLimit) {
     LinuxcncRun run(router_2_10(5000));
     run.next.rules.orientation_speed_rad_s = 1;
     rrs::JointPos joints = run.next.start;
@@ -168,7 +168,7 @@ TEST(LinuxcncCurvesOfRotaryAxes, AnAxisHasItsOwnJerk) {
 }
 
 // This is as in LinuxCNC, which then does not limit the jerk of the complete move.
-TEST(LinuxcncCurvesOfRotaryAxes, OneAxisWithoutALimitLeavesTheMoveStraight) {
+TEST(LinuxcncSCurvesOfRotaryAxes, OneAxisWithoutJerkLimitDisablesSCurve) {
     PlannerSetup setup = router_2_10(5000);
     setup.joints[1].max_jerk = kUnlimited;
     LinuxcncRun run(setup), straight(router_2_10()), curved(setup);
@@ -179,7 +179,7 @@ TEST(LinuxcncCurvesOfRotaryAxes, OneAxisWithoutALimitLeavesTheMoveStraight) {
     EXPECT_NEAR(curved.end(), rest_to_rest_s(80, 5000), kPeriod_s);
 }
 
-TEST(LinuxcncCurvesOfRotaryAxes, ParabolicBlendsAllButStop) {
+TEST(LinuxcncSCurvesOfRotaryAxes, ParabolicBlendsNearlyStop) {
     double times_s[2];
     for (const auto mode : {rrs::PathMode::exact_stop, rrs::PathMode::continuous}) {
         LinuxcncRun run(router_2_10(20000));
@@ -198,7 +198,7 @@ TEST(LinuxcncCurvesOfRotaryAxes, ParabolicBlendsAllButStop) {
 }
 
 // Down from 100 mm/s within the time of a ramp, and up again in as much.
-TEST(LinuxcncCurvesAndOverrides, AHoldIsACurve) {
+TEST(LinuxcncSCurvesAndOverrides, FeedHoldFollowsSCurve) {
     PlannerSetup setup = router_2_10(20000);
     setup.overrides =
         std::make_shared<const OverrideSchedule>(std::vector<OverrideChange>{{1.0, {.feed = 0}}, {3.0, {}}});

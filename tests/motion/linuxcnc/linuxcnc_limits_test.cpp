@@ -12,7 +12,7 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(LinuxcncLimits, RefusesMovesWithoutASpeed) {
+TEST(LinuxcncLimits, RejectsMoveWithoutSpeed) {
     for (const double speed : {0.0, -1.0, kNan}) {
         LinuxcncRun run(fast_machine());
         run.next.rules.programmed_speed_mm_s = speed;
@@ -26,7 +26,7 @@ TEST(LinuxcncLimits, RefusesMovesWithoutASpeed) {
     }
 }
 
-TEST(LinuxcncLimits, RefusesPositionsAndTimesBeyondAllNumbers) {
+TEST(LinuxcncLimits, RejectsNonFiniteAndHugeValues) {
     LinuxcncRun run(fast_machine());
     for (const double x : {kNan, kInf, -kInf, 1e300}) {
         const PlanResult planned = run.line(x, 0);
@@ -40,7 +40,7 @@ TEST(LinuxcncLimits, RefusesPositionsAndTimesBeyondAllNumbers) {
     EXPECT_EQ(run.end(), 0);
 }
 
-TEST(LinuxcncLimits, ARefusedMoveLeavesWhatIsHeldBack) {
+TEST(LinuxcncLimits, RejectedMoveKeepsPendingMoves) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     ASSERT_TRUE(run.line(10, 0));
@@ -51,7 +51,7 @@ TEST(LinuxcncLimits, ARefusedMoveLeavesWhatIsHeldBack) {
     expect_chain(run);
 }
 
-TEST(LinuxcncLimits, MovesThatGoNowhereAreNotThere) {
+TEST(LinuxcncLimits, IgnoresMovesWithoutDistance) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     ASSERT_TRUE(run.line(0, 0));
@@ -64,7 +64,7 @@ TEST(LinuxcncLimits, MovesThatGoNowhereAreNotThere) {
     EXPECT_GT(run.segments[0].master.end_speed(), 0);
 }
 
-TEST(LinuxcncLimits, ClearForgetsAndRestPutsOut) {
+TEST(LinuxcncLimits, ClearDropsAndStandstillEmitsPendingMoves) {
     LinuxcncRun run(fast_machine());
     run.model.plan_to_standstill();
     ASSERT_TRUE(run.line(10, 0));
@@ -76,7 +76,7 @@ TEST(LinuxcncLimits, ClearForgetsAndRestPutsOut) {
     EXPECT_EQ(run.segments.size(), 1u);
 }
 
-TEST(LinuxcncLimits, EachRunBeginsAnew) {
+TEST(LinuxcncLimits, RunAfterStandstillTakesSameTime) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     ASSERT_TRUE(run.line(10, 0));
@@ -87,7 +87,7 @@ TEST(LinuxcncLimits, EachRunBeginsAnew) {
     }
 }
 
-TEST(LinuxcncLimits, MachinesWithoutLimits) {
+TEST(LinuxcncLimits, PlansMachinesWithoutLimits) {
     for (const double servo_period_s : {1e-3, 0.0, 1e-300, kInf}) {
         for (const double speed : {100.0, kInf, 1e-3}) {
             PlannerSetup machine = fast_machine();
@@ -105,7 +105,7 @@ TEST(LinuxcncLimits, MachinesWithoutLimits) {
     }
 }
 
-TEST(LinuxcncLimits, HugeAndTinyMoves) {
+TEST(LinuxcncLimits, PlansHugeAndTinyMoves) {
     for (const double scale : {1e-8, 1e-4, 1e6}) {
         LinuxcncRun run(fast_machine());
         run.next.mode = rrs::PathMode::continuous;

@@ -19,7 +19,7 @@ void straight_run(LinuxcncRun& run, int count, double length_mm) {
     for (int i = 1; i <= count; ++i) ASSERT_TRUE(run.line(i * length_mm, 0));
 }
 
-TEST(LinuxcncLookAhead, TheLastLineCouldHaveToStopByHalf) {
+TEST(LinuxcncLookAhead, EntersLastLineAbleToStopInHalf) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -31,7 +31,7 @@ TEST(LinuxcncLookAhead, TheLastLineCouldHaveToStopByHalf) {
     EXPECT_LE(run.segments[1].master.end_speed(), 1e-6);
 }
 
-TEST(LinuxcncLookAhead, TheSpeedOfALongRunIsThatOfItsDepth) {
+TEST(LinuxcncLookAhead, DepthLimitsSpeedOfLongRun) {
     constexpr double kLength_mm = 0.5;
     for (const int depth : {5, 20, 50}) {
         LinuxcncRun run(fast_machine(), 1e-3, static_cast<std::size_t>(depth));
@@ -49,7 +49,7 @@ TEST(LinuxcncLookAhead, TheSpeedOfALongRunIsThatOfItsDepth) {
 }
 
 // Each junction's speed lets the known path stop: v^2 / 2a is no more than the distance to the end.
-TEST(LinuxcncLookAhead, CanAlwaysStopAtTheEnd) {
+TEST(LinuxcncLookAhead, CanAlwaysStopAtEnd) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 300;
@@ -63,7 +63,7 @@ TEST(LinuxcncLookAhead, CanAlwaysStopAtTheEnd) {
     EXPECT_NEAR(left_mm, 0, 1e-6);
 }
 
-TEST(LinuxcncLookAhead, ShortLinesTakeAPeriodAtLeast) {
+TEST(LinuxcncLookAhead, ShortLinesTakeAtLeastOnePeriod) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 300;
@@ -72,7 +72,7 @@ TEST(LinuxcncLookAhead, ShortLinesTakeAPeriodAtLeast) {
     EXPECT_LE(top_speed(run), 0.05 / 1e-3);
 }
 
-TEST(LinuxcncLookAhead, AKinkIsPassedAtATenthOfTheAcceleration) {
+TEST(LinuxcncLookAhead, PassesSmallCornerAtReducedAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     ASSERT_TRUE(run.line(100, 0));
@@ -86,7 +86,7 @@ TEST(LinuxcncLookAhead, AKinkIsPassedAtATenthOfTheAcceleration) {
     EXPECT_GT(run.segments[0].master.peak_acceleration(), 0.9 * kA);
 }
 
-TEST(LinuxcncLookAhead, ASlowerFeedIsReachedWhereItHolds) {
+TEST(LinuxcncLookAhead, ReachesSlowerFeedAtItsStart) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 200;
@@ -99,7 +99,7 @@ TEST(LinuxcncLookAhead, ASlowerFeedIsReachedWhereItHolds) {
     EXPECT_NEAR(run.segments[1].master.peak_speed(), 50, 1e-6);
 }
 
-TEST(LinuxcncLookAhead, HoldsBackNoMoreThanItNeeds) {
+TEST(LinuxcncLookAhead, BuffersAtMostSixtyMoves) {
     for (const auto mode :
          {rrs::PathMode::exact_stop, rrs::PathMode::exact_path, rrs::PathMode::continuous}) {
         LinuxcncRun run(fast_machine());
@@ -118,7 +118,7 @@ TEST(LinuxcncLookAhead, HoldsBackNoMoreThanItNeeds) {
     }
 }
 
-TEST(LinuxcncLookAhead, HoldsBackLittleOfParabolicBlends) {
+TEST(LinuxcncLookAhead, BuffersFewParabolicBlends) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     rrs::JointPos joints = run.next.start;

@@ -10,7 +10,7 @@
 namespace gsim::motion::linuxcnc_way_test {
 namespace {
 
-TEST(LinuxcncWay, APartOfAnArcLiesOnIt) {
+TEST(LinuxcncPath, PartOfArcLiesOnArc) {
     std::mt19937 random(21);
     std::uniform_real_distribution<double> number(0, 1);
     for (int i = 0; i < 500; ++i) {
@@ -31,7 +31,7 @@ TEST(LinuxcncWay, APartOfAnArcLiesOnIt) {
 }
 
 /// Parts so short that no angle is between their ends are points, on a line of no length.
-TEST(LinuxcncWay, APartOfAnArcMayBeAPoint) {
+TEST(LinuxcncPath, PartOfArcMayBePoint) {
     const PlannerSetup machine = fast_machine();
     const linuxcnc::Axes axes(machine);
     linuxcnc::SubSegment sub_segment;
@@ -51,7 +51,7 @@ TEST(LinuxcncWay, APartOfAnArcMayBeAPoint) {
     }
 }
 
-TEST(LinuxcncWay, LinesWithinTheToleranceBecomeOne) {
+TEST(LinuxcncPath, MergesLinesWithinTolerance) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.tolerance_mm = run.next.merge_tolerance_mm = 0.1;
@@ -63,7 +63,7 @@ TEST(LinuxcncWay, LinesWithinTheToleranceBecomeOne) {
     expect_chain(run);
 }
 
-TEST(LinuxcncWay, MergedLinesPassAllPointsWithinTheTolerance) {
+TEST(LinuxcncPath, MergedLinesPassPointsWithinTolerance) {
     std::mt19937 random(22);
     std::normal_distribution<double> noise(0, 0.02);
     LinuxcncRun run(fast_machine(), 0);
@@ -89,7 +89,7 @@ TEST(LinuxcncWay, MergedLinesPassAllPointsWithinTheTolerance) {
     }
 }
 
-TEST(LinuxcncWay, WhatIsNotAlikeIsNotMerged) {
+TEST(LinuxcncPath, KeepsDifferentMovesSeparate) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.tolerance_mm = run.next.merge_tolerance_mm = 0.1;
@@ -111,7 +111,7 @@ TEST(LinuxcncWay, WhatIsNotAlikeIsNotMerged) {
     EXPECT_EQ(ids, (std::vector<rrs::TargetId>{1, 2, 3, 4, 5}));
 }
 
-TEST(LinuxcncWay, FlatArcsBecomeLines) {
+TEST(LinuxcncPath, FlatArcsBecomeLines) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.tolerance_mm = run.next.merge_tolerance_mm = 0.1;

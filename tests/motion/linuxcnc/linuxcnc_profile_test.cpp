@@ -35,7 +35,7 @@ double stepped_s(const Stretch& section, double dt) {
     return time_s;
 }
 
-TEST(LinuxcncProfile, CountsThePeriodsThatASteppedControllerTakes) {
+TEST(LinuxcncProfile, MatchesPeriodsOfSteppedController) {
     std::mt19937 random(11);
     int off = 0;
     for (int i = 0; i < 500; ++i) {
@@ -48,7 +48,7 @@ TEST(LinuxcncProfile, CountsThePeriodsThatASteppedControllerTakes) {
     EXPECT_LE(off, 5);  // the stepped one may lose a period to rounding
 }
 
-TEST(LinuxcncProfile, IsTheTrapezoidAndLessThanThreePeriods) {
+TEST(LinuxcncProfile, ExceedsTrapezoidByLessThanThreePeriods) {
     std::mt19937 random(12);
     for (int i = 0; i < 2000; ++i) {
         const Stretch section = random_stretch(random);
@@ -62,7 +62,7 @@ TEST(LinuxcncProfile, IsTheTrapezoidAndLessThanThreePeriods) {
     }
 }
 
-TEST(LinuxcncProfile, KeepsTheLimitsAndEndsAtRestInPlace) {
+TEST(LinuxcncProfile, KeepsLimitsAndStopsAtTarget) {
     std::mt19937 random(13);
     for (int i = 0; i < 500; ++i) {
         const Stretch section = random_stretch(random);
@@ -79,14 +79,14 @@ TEST(LinuxcncProfile, KeepsTheLimitsAndEndsAtRestInPlace) {
     }
 }
 
-TEST(LinuxcncProfile, SlowerThanOnePeriodOfAcceleration) {
+TEST(LinuxcncProfile, VeryLowSpeedTakesCruiseTimeOnly) {
     // 0.1 mm/s at 490 mm/s2: the ramps take no visible time.
     const Law law = rest_to_rest({1, 0.1, 490.3}, kMillisecond).law;
     EXPECT_NEAR(law.duration_s(), 10, 2e-3);
     EXPECT_NEAR(law.length(), 1, 1e-9);
 }
 
-TEST(LinuxcncProfile, RampsBetweenSpeedsTakeWhatEnergySays) {
+TEST(LinuxcncProfile, RampsBetweenSpeedsMatchClosedForm) {
     const Profile up = from_speed_to_speed({100, 1000, 200}, 50, 400);  // not reached
     EXPECT_NEAR(up.end_speed, std::sqrt(50 * 50 + 2 * 200 * 100), 1e-9);
     EXPECT_NEAR(up.law.duration_s(), (up.end_speed - 50) / 200, 1e-9);
@@ -100,7 +100,7 @@ TEST(LinuxcncProfile, RampsBetweenSpeedsTakeWhatEnergySays) {
     EXPECT_NEAR(stop.law.length(), 1, 1e-12);
 }
 
-TEST(LinuxcncProfile, PartsOfALawJoin) {
+TEST(LinuxcncProfile, PartsOfLawJoin) {
     std::mt19937 random(14);
     std::uniform_real_distribution<double> share(0, 1);
     for (int i = 0; i < 500; ++i) {

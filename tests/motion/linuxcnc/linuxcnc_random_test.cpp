@@ -69,7 +69,7 @@ void expect_speed(const LinuxcncRun& run, double path_mm_s) {
     }
 }
 
-TEST(LinuxcncRandom, SegmentsJoinWithoutAJump) {
+TEST(LinuxcncRandom, SegmentsJoinWithoutJump) {
     Programs programs(41);
     for (int i = 0; i < 60; ++i) {
         LinuxcncRun run(fast_machine(), i % 5 == 0 ? 0 : 1e-3);
@@ -90,7 +90,7 @@ void use_2_10(PlannerSetup& setup, bool curves, double jerk) {
     for (JointSetup& joint : setup.joints) joint.max_jerk = jerk;
 }
 
-TEST(LinuxcncRandom, Release210LeadsOnFromMoveToMove) {
+TEST(LinuxcncRandom, SegmentsOfRelease210Join) {
     std::mt19937 random(46);
     Programs programs(47);
     for (int i = 0; i < 60; ++i) {
@@ -103,7 +103,7 @@ TEST(LinuxcncRandom, Release210LeadsOnFromMoveToMove) {
     }
 }
 
-TEST(LinuxcncRandom, CurvesJoinWithoutAJump) {
+TEST(LinuxcncRandom, SCurvesJoinWithoutJump) {
     Programs programs(48);
     for (int i = 0; i < 30; ++i) {
         PlannerSetup setup = fast_machine();
@@ -117,7 +117,7 @@ TEST(LinuxcncRandom, CurvesJoinWithoutAJump) {
 
 /// A move that ends before the preceding move comes to a standstill, because that move turns a slow joint.
 /// The remainder of that move runs to the end of the short one.
-TEST(LinuxcncRandom, AShortMoveStandsFirst) {
+TEST(LinuxcncRandom, ReachesEachTargetOnceIfShortMoveEndsFirst) {
     std::mt19937 random(45);
     std::uniform_real_distribution<double> unit(0, 1);
     LinuxcncRun run(fast_machine());
@@ -144,7 +144,7 @@ TEST(LinuxcncRandom, AShortMoveStandsFirst) {
     EXPECT_EQ(reached.back(), run.last_id);
 }
 
-TEST(LinuxcncRandom, KeepsTheProgrammedSpeed) {
+TEST(LinuxcncRandom, KeepsProgrammedSpeed) {
     std::mt19937 random(44);
     std::uniform_real_distribution<double> number(-20, 20);
     for (int i = 0; i < 30; ++i) {
@@ -162,7 +162,7 @@ TEST(LinuxcncRandom, KeepsTheProgrammedSpeed) {
     }
 }
 
-TEST(LinuxcncRandom, MachinesWithAnyJoints) {
+TEST(LinuxcncRandom, PlansMachinesWithAnyJoints) {
     std::mt19937 random(42);
     Programs programs(43);
     for (int i = 0; i < 30; ++i) {
@@ -174,7 +174,7 @@ TEST(LinuxcncRandom, MachinesWithAnyJoints) {
 }
 
 // Emitted segments do not depend on when the remainder follows: a run equals its own beginning.
-TEST(LinuxcncRandom, WhatIsPutOutIsFinal) {
+TEST(LinuxcncRandom, EmittedSegmentsAreFinal) {
     for (unsigned seed = 50; seed < 60; ++seed) {
         Programs one(seed), other(seed);
         LinuxcncRun first(fast_machine()), second(fast_machine());
@@ -191,7 +191,7 @@ TEST(LinuxcncRandom, WhatIsPutOutIsFinal) {
 }
 
 // A program twice as large with twice the speeds and accelerations takes the same time.
-TEST(LinuxcncRandom, Scales) {
+TEST(LinuxcncRandom, ScaledProgramTakesSameTime) {
     for (unsigned seed = 70; seed < 80; ++seed) {
         PlannerSetup larger = fast_machine();
         for (std::size_t joint = 0; joint < 3; ++joint) {

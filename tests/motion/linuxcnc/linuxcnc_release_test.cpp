@@ -24,7 +24,7 @@ double line_s(const PlannerSetup& setup, rrs::PathMode mode, double length_mm) {
     return run.end();
 }
 
-TEST(LinuxcncRelease, ALoneLineHasItsWholeAcceleration) {
+TEST(LinuxcncRelease, SingleLineUsesFullAccelerationIn210) {
     for (const double length_mm : {1.0, 10.0, 1000.0}) {
         const double exact_s = line_s(router_2_10(), rrs::PathMode::exact_path, length_mm);
         EXPECT_EQ(line_s(router_2_10(), rrs::PathMode::continuous, length_mm), exact_s);
@@ -33,7 +33,7 @@ TEST(LinuxcncRelease, ALoneLineHasItsWholeAcceleration) {
     }
 }
 
-TEST(LinuxcncRelease, TheLookAheadStillPlansWithHalfInContinuousMode) {
+TEST(LinuxcncRelease, LookAheadUsesHalfAccelerationInContinuousMode) {
     for (const auto& [mode, share] :
          {std::pair{rrs::PathMode::exact_path, 1.0}, std::pair{rrs::PathMode::continuous, 0.5}}) {
         LinuxcncRun run(router_2_10());
@@ -53,21 +53,21 @@ double circle_s(double radius_mm, rrs::PathMode mode) {
 }
 
 // The ramps get the part of the acceleration that the speed of the axes leaves.
-TEST(LinuxcncRelease, ALoneCircleHasWhatItDoesNotNeedAcross) {
+TEST(LinuxcncRelease, SingleCircleRampsUseRemainingAcceleration) {
     const double along = kA * std::sqrt(1 - std::pow(kV * kV / kA / 20, 2));
     EXPECT_NEAR(circle_s(20, rrs::PathMode::exact_path), 2 * kPi * 20 / kV + kV / along, kPeriods_s);
     EXPECT_NEAR(circle_s(20, rrs::PathMode::exact_path), 1.375, kPeriods_s + 1e-9);
 }
 
 // It is slowed for a half that it then does not have to share.
-TEST(LinuxcncRelease, ArcsInContinuousModeAreSlowedAsIfTheyWereBlended) {
+TEST(LinuxcncRelease, ArcsInContinuousModeAreSlowedAsIfBlended) {
     const double speed = std::sqrt(kNormal * kA / 2 * 10);
     EXPECT_NEAR(circle_s(10, rrs::PathMode::continuous), 2 * kPi * 10 / speed + speed / (kA / 2), kPeriods_s);
     const double exact = std::sqrt(kNormal * kA * 10);
     EXPECT_NEAR(circle_s(10, rrs::PathMode::exact_path), 2 * kPi * 10 / exact + exact / (kA / 2), kPeriods_s);
 }
 
-TEST(LinuxcncRelease, ParabolicBlendsTakeLessThanStopsAndLeaveNothingOut) {
+TEST(LinuxcncRelease, ParabolicBlendsTakeLessTimeThanStops) {
     double times_s[2];
     for (const auto mode : {rrs::PathMode::exact_stop, rrs::PathMode::continuous}) {
         LinuxcncRun run(router_2_10());

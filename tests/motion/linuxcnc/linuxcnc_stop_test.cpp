@@ -93,7 +93,7 @@ void stop_and_go(std::mt19937& random, const Program& program, const PlannerSetu
     expect_planned_way(segments, plan, setup);
 }
 
-TEST(LinuxcncStop, KeepsWayAndLimitsAtAnyInstant) {
+TEST(LinuxcncStop, KeepsPathAndLimitsAtAnyTime) {
     std::mt19937 random(31);
     int blends = 0;
     for (int round = 0; round < 60; ++round) {
@@ -106,7 +106,7 @@ TEST(LinuxcncStop, KeepsWayAndLimitsAtAnyInstant) {
 
 /// 100 mm along X, then along Y, round the corner as far as it comes: both moves have half of the
 /// acceleration there, and the other half brakes.
-TEST(LinuxcncStop, InABlendItStandsAtOnce) {
+TEST(LinuxcncStop, StopsQuicklyInBlend) {
     PlannerSetup setup = linuxcnc_setup();
     ReadyPlanner ready(setup, rrs::JointPos::Zero(5));
     enqueue({.targets = {joint_pos({100, 0, 0, 0.1, 0}), joint_pos({100, 100, 0, 0.2, 0})}}, ready);

@@ -21,7 +21,7 @@ void square(LinuxcncRun& run) {
     for (const auto& [x, y] : {std::pair(100, 0), {100, 100}, {0, 100}, {0, 0}}) ASSERT_TRUE(run.line(x, y));
 }
 
-TEST(LinuxcncStops, ExactStopIsATrapezoidForEachBlock) {
+TEST(LinuxcncStops, ExactStopGivesTrapezoidPerBlock) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_stop;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -31,7 +31,7 @@ TEST(LinuxcncStops, ExactStopIsATrapezoidForEachBlock) {
     expect_chain(run);
 }
 
-TEST(LinuxcncStops, ExactPathStopsAtCornersAtNineTenthsOfTheAcceleration) {
+TEST(LinuxcncStops, ExactPathStopsAtCornersAtNineTenthsAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -39,7 +39,7 @@ TEST(LinuxcncStops, ExactPathStopsAtCornersAtNineTenthsOfTheAcceleration) {
     expect_moves(run.end(), 4 * trapezoid_s(100, 254, 0.9 * kA), 4);
 }
 
-TEST(LinuxcncStops, ADiagonalHasTheLimitsOfBothAxes) {
+TEST(LinuxcncStops, DiagonalHasLimitsOfBothAxes) {
     LinuxcncRun run(fast_machine());
     run.next.rapid = true;
     ASSERT_TRUE(run.line(300, 400));
@@ -47,7 +47,7 @@ TEST(LinuxcncStops, ADiagonalHasTheLimitsOfBothAxes) {
     EXPECT_EQ(run.segments[0].limited_by, (LimitCause{LimitKind::acceleration, 1}));
 }
 
-TEST(LinuxcncStops, TheLastMoveInContinuousModeHasHalfTheAcceleration) {
+TEST(LinuxcncStops, LastMoveInContinuousModeHasHalfAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -56,7 +56,7 @@ TEST(LinuxcncStops, TheLastMoveInContinuousModeHasHalfTheAcceleration) {
     EXPECT_EQ(run.segments[0].limited_by, (LimitCause{LimitKind::feed, -1}));
 }
 
-TEST(LinuxcncStops, AnArcSharesItsAccelerationWithTheWayRound) {
+TEST(LinuxcncStops, CentripetalAccelerationReducesThatAlongArc) {
     for (const auto mode : {rrs::PathMode::exact_path, rrs::PathMode::continuous}) {
         LinuxcncRun run(fast_machine());
         run.next.mode = mode;
@@ -70,7 +70,7 @@ TEST(LinuxcncStops, AnArcSharesItsAccelerationWithTheWayRound) {
     }
 }
 
-TEST(LinuxcncStops, AnArcThatIsFollowedKeepsWhatItsTopSpeedLeaves) {
+TEST(LinuxcncStops, ArcBeforeLineUsesAccelerationLeftByTopSpeed) {
     // The axes' speed counts, not the programmed one.
     PlannerSetup machine = fast_machine();
     for (int axis = 0; axis < 3; ++axis) machine.joints[static_cast<std::size_t>(axis)].max_speed = 100;
@@ -85,7 +85,7 @@ TEST(LinuxcncStops, AnArcThatIsFollowedKeepsWhatItsTopSpeedLeaves) {
     expect_moves(run.segments[0].duration_s, arc_s, 1);
 }
 
-TEST(LinuxcncStops, RapidAndFeedDoNotMix) {
+TEST(LinuxcncStops, StopsBetweenRapidAndFeed) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     ASSERT_TRUE(run.line(100, 0));
@@ -102,7 +102,7 @@ TEST(LinuxcncStops, RapidAndFeedDoNotMix) {
     expect_moves(run.segments[2].duration_s, trapezoid_s(100, 100, kA / 2), 1);
 }
 
-TEST(LinuxcncStops, AReversalStopsAtFullAcceleration) {
+TEST(LinuxcncStops, ReversalStopsAtFullAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     ASSERT_TRUE(run.line(100, 0));
@@ -110,7 +110,7 @@ TEST(LinuxcncStops, AReversalStopsAtFullAcceleration) {
     expect_moves(run.end(), 2 * trapezoid_s(100, 100, kA), 2);
 }
 
-TEST(LinuxcncStops, RotaryJointsAloneAndBeside) {
+TEST(LinuxcncStops, RotaryJointsLimitPureAndMixedMoves) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     rrs::JointPos joints = run.next.start;
@@ -131,7 +131,7 @@ TEST(LinuxcncStops, RotaryJointsAloneAndBeside) {
     EXPECT_EQ(run.segments[1].limited_by.joint, 3);
 }
 
-TEST(LinuxcncStops, InverseTimeIsASpeedAndTheRampsComeOnTop) {
+TEST(LinuxcncStops, InverseTimeSetsSpeedAndRampsAddTime) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.min_duration_s = 2;
@@ -141,7 +141,7 @@ TEST(LinuxcncStops, InverseTimeIsASpeedAndTheRampsComeOnTop) {
     EXPECT_EQ(run.segments[0].limited_by.kind, LimitKind::time);
 }
 
-TEST(LinuxcncStops, WithoutAServoPeriodTimesAreExact) {
+TEST(LinuxcncStops, TimesAreExactWithoutServoPeriod) {
     LinuxcncRun run(fast_machine(), 0);
     run.next.mode = rrs::PathMode::exact_stop;
     square(run);

@@ -7,7 +7,7 @@
 namespace gsim::process::conveyor_test {
 namespace {
 
-TEST(Conveyor, TravelIsTheSumOfSpeedTimesTime) {
+TEST(Conveyor, TravelIsSumOfSpeedTimesTime) {
     Conveyor belt("belt", Eigen::Vector3d::UnitX(), 10);
     EXPECT_DOUBLE_EQ(belt.position_mm(2), 20);
     belt.set_speed(-5, 2);
@@ -16,7 +16,7 @@ TEST(Conveyor, TravelIsTheSumOfSpeedTimesTime) {
     EXPECT_DOUBLE_EQ(belt.position_mm(100), 10);
 }
 
-TEST(Conveyor, TellsWhenItComesThere) {
+TEST(Conveyor, ReturnsArrivalTime) {
     Conveyor belt("belt", Eigen::Vector3d::UnitX(), 10);
     EXPECT_DOUBLE_EQ(belt.arrival_time_s(50, 1), 5);
     EXPECT_DOUBLE_EQ(belt.arrival_time_s(5, 1), 1);  // it is past it

@@ -28,7 +28,7 @@ shape = { box_mm = [100.0, 200.0, 300.0] }
 frame = { x_mm = 350.0 }
 )";
 
-TEST(RobotsFile, IsReadInItsOrder) {
+TEST(RobotsFile, ReadsEntriesInOrder) {
     const auto file = read_robots(kGood, "cells/r.toml", kDialects);
     ASSERT_TRUE(file) << file.error().message;
     ASSERT_EQ(file->robots.size(), 2U);
@@ -54,7 +54,7 @@ void expect_error(const std::string& text, const std::string& part) {
     EXPECT_EQ(file.error().message.rfind("r.toml:", 0), 0U) << file.error().message;
 }
 
-TEST(RobotsFile, FaultsAreToldWithTheirPlace) {
+TEST(RobotsFile, ReportsErrorsWithSourceLocation) {
     expect_error("", "lacks the key 'robot'");
     expect_error("robot = []", "at least one [[robot]]");
     expect_error("[[robot]]\nname = \"a b\"", "letters, digits");

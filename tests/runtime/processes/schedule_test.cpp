@@ -7,7 +7,7 @@
 namespace gsim::process::schedule_test {
 namespace {
 
-TEST(Schedule, TheLeastTimeGoesNextAndTheFirstOfEquals) {
+TEST(Schedule, ActivatesEarliestAndFirstOfEqualTimes) {
     Schedule schedule;
     const ProcessId a = schedule.add("a", false, 2, {});
     const ProcessId b = schedule.add("b", false, 1, {});
@@ -21,7 +21,7 @@ TEST(Schedule, TheLeastTimeGoesNextAndTheFirstOfEquals) {
     EXPECT_EQ(schedule.activate_next(), a);
 }
 
-TEST(Schedule, AChangeWakesAtItsTimeThoseThatItIsFor) {
+TEST(Schedule, SignalChangeWakesMatchingWaitersAtItsTime) {
     Schedule schedule;
     const ProcessId on = schedule.add("on", false, 0, {});
     const ProcessId five = schedule.add("five", false, 0, {});
@@ -43,7 +43,7 @@ TEST(Schedule, AChangeWakesAtItsTimeThoseThatItIsFor) {
     EXPECT_DOUBLE_EQ(schedule.process(on).time_s, 3);
 }
 
-TEST(Schedule, AWaitGivesUpAtItsTime) {
+TEST(Schedule, WaitEndsAtTimeout) {
     Schedule schedule;
     const ProcessId a = schedule.add("a", false, 0, {});
     schedule.wait(a, {.kind = WaitKind::on, .signal = "s", .until_s = 2.5});
@@ -52,14 +52,14 @@ TEST(Schedule, AWaitGivesUpAtItsTime) {
     EXPECT_DOUBLE_EQ(schedule.process(a).time_s, 2.5);
 }
 
-TEST(Schedule, TheRunDoesNotWaitForDevices) {
+TEST(Schedule, DevicesDoNotKeepRunActive) {
     Schedule schedule;
     schedule.add("device", true, 0, {});
     EXPECT_FALSE(schedule.has_unfinished());
     EXPECT_FALSE(schedule.activate_next());
 }
 
-TEST(Schedule, WaitsAreToldWithPlaceAndWish) {
+TEST(Schedule, DescribesWaitsWithLocationAndCondition) {
     Schedule schedule;
     const ProcessId a = schedule.add("a", false, 0, {0, 12});
     const ProcessId b = schedule.add("b", true, 0, {});
@@ -69,7 +69,7 @@ TEST(Schedule, WaitsAreToldWithPlaceAndWish) {
               "'a' (cell.lua:12) waits for 'level' to be 2.5, 'b' waits for a user-defined condition");
 }
 
-TEST(Signals, NumbersAndSwitchesCompare) {
+TEST(Signals, NumberOneEqualsSwitchOn) {
     SignalBoard board;
     EXPECT_FALSE(is_on(board.get("s")));
     EXPECT_TRUE(board.set("s", true));

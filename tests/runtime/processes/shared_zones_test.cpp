@@ -13,7 +13,7 @@ std::vector<SharedZone> named(std::initializer_list<const char*> names) {
     return zones;
 }
 
-TEST(SharedZones, OneHasItAndOthersWaitInTheirOrder) {
+TEST(SharedZones, OneHoldsZoneAndOthersWaitInOrder) {
     Schedule schedule;
     SharedZones zones(named({"fixture"}));
     const ProcessId a = schedule.add("a", false, 0, {});
@@ -39,7 +39,7 @@ TEST(SharedZones, OneHasItAndOthersWaitInTheirOrder) {
     EXPECT_EQ(zones.uses()[1].to_s, 5);
 }
 
-TEST(SharedZones, ARingOfThoseThatWaitIsFound) {
+TEST(SharedZones, FindsCycleOfWaiters) {
     Schedule schedule;
     SharedZones zones(named({"x", "y", "z"}));
     std::vector<ProcessId> ids;
@@ -55,7 +55,7 @@ TEST(SharedZones, ARingOfThoseThatWaitIsFound) {
               "occupies, 'b' waits for the zone 'z', which 'c' occupies");
 }
 
-TEST(SharedZones, WhoHasEndedLetsNothingGo) {
+TEST(SharedZones, FinishedHolderCausesDeadlock) {
     Schedule schedule;
     SharedZones zones(named({"fixture", "table"}));
     std::vector<ProcessId> ids;

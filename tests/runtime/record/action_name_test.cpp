@@ -9,7 +9,7 @@ namespace gsim::record::action_name_test {
 namespace {
 
 // Programs are written in many encodings; a path file is UTF-8, and no character of it is cut.
-TEST(ActionName, IsUtf8) {
+TEST(ActionName, IsUtf8WithoutSplitCharacters) {
     EXPECT_EQ(sanitized_name("Stra\xdf"
                              "e 5\t\xc3\x9f"),
               "Stra?e 5 \xc3\x9f");

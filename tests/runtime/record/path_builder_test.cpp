@@ -33,7 +33,7 @@ std::vector<SubPath> calls_of_root(const Program& program) {
     return calls;
 }
 
-TEST(PathBuilder, EqualCallsShareAPath) {
+TEST(PathBuilder, EqualCallsShareOnePath) {
     PathBuilder builder;
     for (int i = 0; i < 3; ++i) {
         call(builder, "O2", 5);
@@ -47,13 +47,13 @@ TEST(PathBuilder, EqualCallsShareAPath) {
     EXPECT_FALSE(path::validate(program));
 }
 
-TEST(PathBuilder, CallsOneBehindTheOtherAreRepeats) {
+TEST(PathBuilder, ConsecutiveCallsBecomeRepeats) {
     PathBuilder builder;
     for (int i = 0; i < 4; ++i) call(builder, "O2", 5);
     EXPECT_EQ(calls_of_root(builder.finish("main")), (std::vector<SubPath>{{0, 4}}));
 }
 
-TEST(PathBuilder, CallsThatDifferAreCopiesWithNamesOfTheirOwn) {
+TEST(PathBuilder, DifferentCallsGetSeparateNames) {
     PathBuilder builder;
     call(builder, "O2", 5);
     call(builder, "O2", 6);
@@ -66,7 +66,7 @@ TEST(PathBuilder, CallsThatDifferAreCopiesWithNamesOfTheirOwn) {
     EXPECT_FALSE(path::validate(program)) << "names must differ";
 }
 
-TEST(PathBuilder, WhatDependsOnItsStartIsSharedFromThereAlone) {
+TEST(PathBuilder, CallsDependingOnStartAreSharedPerStart) {
     PathBuilder builder;
     for (const double x : {0.0, 1.0, 0.0}) {
         builder.add(at(x));
@@ -78,7 +78,7 @@ TEST(PathBuilder, WhatDependsOnItsStartIsSharedFromThereAlone) {
     EXPECT_EQ(calls_of_root(builder.finish("main")), (std::vector<SubPath>{{0, 1}, {1, 1}, {0, 1}}));
 }
 
-TEST(PathBuilder, CallsWithoutTargetsLeaveNothing) {
+TEST(PathBuilder, DropsCallsWithoutTargets) {
     PathBuilder builder;
     builder.begin_call("O2");
     builder.begin_call("O3");
@@ -89,7 +89,7 @@ TEST(PathBuilder, CallsWithoutTargetsLeaveNothing) {
     EXPECT_EQ(builder.finish("main").paths.size(), 1U);
 }
 
-TEST(PathBuilder, DeeperCallsGoIntoTheEighthLevel) {
+TEST(PathBuilder, MergesDeeperCallsIntoEighthLevel) {
     PathBuilder builder;
     builder.add(at(-1));
     for (int i = 0; i < 20; ++i) {
@@ -104,7 +104,7 @@ TEST(PathBuilder, DeeperCallsGoIntoTheEighthLevel) {
     EXPECT_EQ(program.paths[0].targets.size(), 14U) << "levels 8 to 20, and what came behind";
 }
 
-TEST(PathBuilder, EndsWithoutABeginAreNone) {
+TEST(PathBuilder, IgnoresEndWithoutBegin) {
     PathBuilder builder;
     builder.end_call();
     builder.add(at(1));

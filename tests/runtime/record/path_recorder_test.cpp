@@ -96,7 +96,7 @@ double distance_mm(const path::Vector& a, const Vector3d& b) {
     return (path::to_eigen(a) - b).norm();
 }
 
-TEST(PathRecorder, PassesTheEndsOfRandomMovesInTheirOrderBySameLengths) {
+TEST(PathRecorder, RandomMovesKeepEndsAndLengths) {
     std::mt19937 random(7);
     for (int round = 0; round < 20; ++round) {
         RunOf run(sample("af5"));
@@ -140,7 +140,7 @@ Vector3d random_normal(std::mt19937& random) {
 }
 
 // If the work is turned, arcs of the axes have any position in the work frame.
-TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
+TEST(PathRecorder, ArcsAreExactAtAnyRotaryPosition) {
     std::mt19937 random(11);
     for (const char* name : {"af5", "mill-table-table", "mill-head-table", "gantry-offset-head"}) {
         for (int round = 0; round < 30; ++round) {
@@ -173,7 +173,7 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
 }
 
 // Time is proportional to the axes' path, so that the time of the lines gives the position of the TCP.
-TEST(PathRecorder, WhereTurningMovesTheTipALineBecomesLinesInItsTime) {
+TEST(PathRecorder, SplitsLineInEqualTimeIfRotationMovesTcp) {
     RunOf run(sample("gantry-offset-head"));
     const AxisVector start = run.simulator.position().axes();
     AxisVector target = start;
@@ -207,7 +207,7 @@ TEST(PathRecorder, WhereTurningMovesTheTipALineBecomesLinesInItsTime) {
 }
 
 // Paths allow 0.01 mm, controllers 0.05 mm.
-TEST(PathRecorder, AnArcWithRadiiThatDifferIsSplitUntilPathsTakeIt) {
+TEST(PathRecorder, SplitsArcWithDifferentRadii) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));
     ArcMove move;
@@ -222,7 +222,7 @@ TEST(PathRecorder, AnArcWithRadiiThatDifferIsSplitUntilPathsTakeIt) {
     EXPECT_NEAR(points[4].position_mm[0], 10.024 * std::cos(0.6 * std::numbers::pi), 1e-8);
 }
 
-TEST(PathRecorder, ActionsAndDwellsStandWhereTheyHappened) {
+TEST(PathRecorder, RecordsActionsAndDwellsAtTheirPoints) {
     RunOf run(sample("af5"));
     run.simulator.events().add("spindle_cw", "", {});
     run.line(run.axes({10, 0, 0, 0, 0}));
@@ -245,7 +245,7 @@ TEST(PathRecorder, ActionsAndDwellsStandWhereTheyHappened) {
     EXPECT_EQ(points[3].position_mm, (path::Vector{10, 0, 0}));
 }
 
-TEST(PathRecorder, FeedsAndOrientationsAreGivenWhereTheyChange) {
+TEST(PathRecorder, RecordsFeedAndOrientationOnlyOnChange) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}), 600);
     run.line(run.axes({20, 0, 0, 0, 0}), 600);
@@ -267,7 +267,7 @@ TEST(PathRecorder, FeedsAndOrientationsAreGivenWhereTheyChange) {
     EXPECT_EQ(points[5].feed_mm_min, 900);
 }
 
-TEST(PathRecorder, WhatIsSelectedForWhatFollowsIsInItsOrder) {
+TEST(PathRecorder, RecordsSelectionsInOrder) {
     RunOf run(sample("af5"));
     run.simulator.program().work_offsets().select({"55", {{'X', 10}, {'Z', -3}}, 0});
     run.simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0, 0);  // as programs begin
@@ -293,7 +293,7 @@ TEST(PathRecorder, WhatIsSelectedForWhatFollowsIsInItsOrder) {
 }
 
 // A change of offsets is no event; a dwell or a switch stops the machine anyway.
-TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
+TEST(PathRecorder, RecordsStandstillOnlyIfNothingElseStops) {
     RunOf run(sample("af5"));
     run.simulator.clock().wait();
     run.line(run.axes({10, 0, 0, 0, 0}));
@@ -315,7 +315,7 @@ TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
 }
 
 // A controller that takes time for each wait takes it again after a dwell, and at the end of the program.
-TEST(PathRecorder, RestIsSaidBehindADwellAndAtTheEnd) {
+TEST(PathRecorder, RecordsStandstillAfterDwellAndAtEnd) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));
     run.simulator.clock().wait();
@@ -331,7 +331,7 @@ TEST(PathRecorder, RestIsSaidBehindADwellAndAtTheEnd) {
     EXPECT_THAT(points[2].actions, ElementsAre("rest"));
 }
 
-TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
+TEST(PathRecorder, KeepsFeedsAndLeadsPerRevolution) {
     RunOf run(sample("af5"));
     LineMove move;
     move.target = run.axes({10, 0, 0, 0, 0});
@@ -347,13 +347,13 @@ TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
     EXPECT_FALSE(points[2].feed_mm_rev);
 }
 
-TEST(PathRecorder, ToolCentrePointControlIsRefused) {
+TEST(PathRecorder, RejectsTcpControl) {
     RunOf run(sample("mill-head-table"));
     run.simulator.tcp_control().set(Eigen::Vector3d(0, 0, 50), {});
     EXPECT_EQ(run.recorder.finish("p").error().message, "TCP control (G43.4) moves the TCP, not the axes");
 }
 
-TEST(PathRecorder, AMachineWithoutXYZGivesPoses) {
+TEST(PathRecorder, RecordsPosesForMachineWithoutXyz) {
     RunOf run(machine::load_machine(tests::source_path("samples/machines/arm6.toml")).value());
     AxisVector target = run.simulator.position().axes();
     target[0] += 20;
@@ -364,7 +364,7 @@ TEST(PathRecorder, AMachineWithoutXYZGivesPoses) {
     EXPECT_LT(distance_mm(points.back().position_mm, run.location.tcp(target)), 1e-8);
 }
 
-TEST(PathRecorder, CornersAreThoseOfTheProgramThoughAControllerRoundsThem) {
+TEST(PathRecorder, KeepsProgrammedCornersIfControllerRoundsThem) {
     machine::Machine machine = sample("af5");
     for (machine::Axis& axis : machine.axes) axis.max_acceleration = 500;
     machine.controller.planner = rrs::PlannerKind::linuxcnc;
@@ -377,14 +377,14 @@ TEST(PathRecorder, CornersAreThoseOfTheProgramThoughAControllerRoundsThem) {
     EXPECT_EQ(points[1].position_mm, (path::Vector{10, 0, 0}));
 }
 
-TEST(PathRecorder, MotionByServicesIsRefused) {
+TEST(PathRecorder, RejectsMotionByServices) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));
     run.recorder.on_unrecordable_motion("the script moves by services (SetNextTarget)");
     EXPECT_THAT(run.recorder.finish("p").error().message, testing::HasSubstr("SetNextTarget"));
 }
 
-TEST(PathRecorder, NothingMakesNoPath) {
+TEST(PathRecorder, RejectsEmptyRun) {
     const machine::Machine machine = sample("af5");
     PathRecorder recorder(machine);
     EXPECT_THAT(recorder.finish("p").error().message, testing::HasSubstr("neither moves nor switches"));

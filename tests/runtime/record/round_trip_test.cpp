@@ -29,7 +29,7 @@ struct Way {
     std::string dialect;
 };
 
-class Record : public apps::Apps {
+class RecordRoundTrip : public apps::Apps {
   protected:
     Ended path2gcode(std::vector<std::string> arguments, const std::string& input = {}) const {
         arguments.emplace_back("--quiet");
@@ -184,7 +184,7 @@ std::string oblique_part(std::mt19937& random) {
     return text + "M30\n";
 }
 
-TEST_F(Record, AnObliqueArcComesBackAsOneBlock) {
+TEST_F(RecordRoundTrip, ObliqueArcReturnsAsOneBlock) {
     std::mt19937 random(5);
     const std::string machine = wide_machine();
     for (int round = 0; round < 4; ++round) {
@@ -209,7 +209,7 @@ TEST_F(Record, AnObliqueArcComesBackAsOneBlock) {
     }
 }
 
-TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
+TEST_F(RecordRoundTrip, PostSplitsRejectsOrWritesObliqueArc) {
     const std::string machine = wide_machine();
     const std::string part = write("part.nc", "F1000 G0 X100\nCIP X120 I1=110 J1=8 K1=6\nM30\n");
     ASSERT_EQ(gsim_run({part, "--machine", machine, "--quiet", "--record", "part.path.json"}).status, 0);
@@ -237,7 +237,7 @@ TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
     EXPECT_TRUE(contains(through.out, "G2.4 X120 I110 J8 K6 F1000\n")) << through.out;
 }
 
-TEST_F(Record, RandomProgramsMoveTheSameWrittenInEachDialect) {
+TEST_F(RecordRoundTrip, RandomProgramsMoveEquallyInEachDialect) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         SCOPED_TRACE(seed);
         const std::string text = RandomPart(seed).text();
@@ -246,7 +246,7 @@ TEST_F(Record, RandomProgramsMoveTheSameWrittenInEachDialect) {
     }
 }
 
-TEST_F(Record, LinuxCncRunsWhatIsWrittenToTheSamePlaces) {
+TEST_F(RecordRoundTrip, LinuxCncReachesSamePositions) {
     if (!apps::has_rs274()) GTEST_SKIP() << "LinuxCNC's rs274 is not installed";
     for (unsigned seed = 1; seed <= 4; ++seed) {
         SCOPED_TRACE(seed);
@@ -265,7 +265,7 @@ TEST_F(Record, LinuxCncRunsWhatIsWrittenToTheSamePlaces) {
 }
 
 // Steps shorter than the printed digits, lines and arcs: some vanish, and the others stay at their positions.
-TEST_F(Record, ErrorsOfShortMovesDoNotAddUp) {
+TEST_F(RecordRoundTrip, ErrorsOfShortMovesDoNotAccumulate) {
     const std::string part =
         write("part.nc",
               "G21 G91 F600\nG0 X300.0002 Y300 Z80\n#1=0\nWHILE [#1 LT 300] DO 1\nG1 X.0003 Y-.0002\n"
@@ -294,7 +294,7 @@ TEST_F(Record, ErrorsOfShortMovesDoNotAddUp) {
     }
 }
 
-TEST_F(Record, ThreeAxesAlsoForGrbl) {
+TEST_F(RecordRoundTrip, ThreeAxisProgramReturnsThroughGrbl) {
     const std::string part =
         write("part.ngc",
               "G21\nG0 X10 Y10 Z-5\no100 sub\nG1 Z[#1-9] F300\nG2 X10 Y10 I5 J0\nG0 Z-5\n"
@@ -307,7 +307,7 @@ TEST_F(Record, ThreeAxesAlsoForGrbl) {
 }
 
 // A path that has been written once: written again from the record, the same blocks come out.
-TEST_F(Record, RandomPathsComeBackAsTheyWereWritten) {
+TEST_F(RecordRoundTrip, RandomPathsReturnUnchanged) {
     const std::string machine = wide_machine();
     std::mt19937 random(3);
     for (int round = 0; round < 4; ++round) {
@@ -343,7 +343,7 @@ TEST_F(Record, RandomPathsComeBackAsTheyWereWritten) {
 }
 
 // They are recorded as many short paths of the TCP; when written again, each line of the axes is one block.
-TEST_F(Record, LinesOfTurningAxesComeBackWhereTheTipIsOffThem) {
+TEST_F(RecordRoundTrip, RotaryLinesReturnIfTcpIsOffAxes) {
     const std::string part =
         write("part.ngc",
               "G21 G90 G0 X1000 Y1000 Z600 C0 A0\nG1 X1100 Y1020 C60 A30 F2000\nX1150 C10\n"
@@ -354,7 +354,7 @@ TEST_F(Record, LinesOfTurningAxesComeBackWhereTheTipIsOffThem) {
     EXPECT_GT(program["paths"][0]["targets"].size(), 200U);
 }
 
-TEST_F(Record, StandardOutputIsThePathAlone) {
+TEST_F(RecordRoundTrip, StandardOutputHasOnlyPath) {
     const std::string part = write("part.nc", "G1 X10 F600\nM2\n");
     const Ended e = gsim_run({part, "--record", "-"});
     EXPECT_EQ(e.status, 0);
@@ -367,7 +367,7 @@ TEST_F(Record, StandardOutputIsThePathAlone) {
     EXPECT_EQ(gsim_run({part, "--record", "-", "--json"}).status, 2);
 }
 
-TEST_F(Record, IsWrittenUpToAnAlarm) {
+TEST_F(RecordRoundTrip, WritesPathUpToAlarm) {
     const std::string bad = write("bad.nc", "G0 X100\nM98 P2\nM30\n%\nO2\nG0 X200\nX9999\nM99\n");
     EXPECT_EQ(gsim_run({bad, "--quiet", "--stop-at-first", "--record", "bad.path.json"}).status, 1);
     const json program = text::parse_json<json>(read("bad.path.json"));
@@ -375,7 +375,7 @@ TEST_F(Record, IsWrittenUpToAnAlarm) {
     EXPECT_EQ(program["paths"][0]["targets"].size(), 1U);
 }
 
-TEST_F(Record, WithoutAPathThereIsNoFile) {
+TEST_F(RecordRoundTrip, WritesNoFileWithoutPath) {
     write("old.path.json", "old");
     const Ended e = gsim_run({write("empty.nc", "M2\n"), "--quiet", "--record", "old.path.json"});
     EXPECT_EQ(e.status, 1);
@@ -384,7 +384,7 @@ TEST_F(Record, WithoutAPathThereIsNoFile) {
     EXPECT_EQ(gsim_run({write("part.nc", "G0 X1\n"), "--record", "none/a.path.json"}).status, 2);
 }
 
-TEST_F(Record, TheWheelComesBackExactly) {
+TEST_F(RecordRoundTrip, WheelSampleReturnsWithinTolerance) {
     expect_way_round(tests::source_path("samples/wheel.nc"), "ab9", kAllAxes);
     EXPECT_EQ(text::parse_json<json>(read("first.path.json"))["paths"].size(), 4U);
 }

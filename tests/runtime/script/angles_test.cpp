@@ -42,14 +42,14 @@ std::string script(const std::vector<double>& angles) {
     return text + fmt::format("end\nassert(bad <= {}, bad)\n", angles.size() / 1000);
 }
 
-TEST(Angles, SineAndCosineAreThoseOfLongDouble) {
+TEST(Angles, SineAndCosineMatchLongDouble) {
     for (const double most_deg : {1.0, 360.0, 36'000.0}) {
         const Outcome r = run_lua(script(angles(most_deg)));
         EXPECT_TRUE(r.completed()) << most_deg << ": " << r.message();
     }
 }
 
-TEST(Angles, QuartersOfATurnAsTheLibraryRoundsThem) {
+TEST(Angles, SpecialAnglesEqualRoundedLongDouble) {
     const std::vector<double> quarters{0, 30, 45, 60, 90, 180, 270, 360, -90, -180, 450, 1e6, 1e9};
     const Outcome r = run_lua(script(quarters));
     EXPECT_TRUE(r.completed()) << r.message();

@@ -57,7 +57,7 @@ void expect_solution(const Result<ArcSolution>& found, const KnownArc& arc) {
     EXPECT_NEAR(found->sweep_rad, arc.sweep, 1e-6);
 }
 
-TEST(ArcSolution, ByItsCentreTheSweepIsTheAngleBetween) {
+TEST(ArcSolution, FindsSweepFromCentre) {
     Random random;
     for (int i = 0; i < kCases; ++i) {
         const KnownArc arc = random.arc();
@@ -65,7 +65,7 @@ TEST(ArcSolution, ByItsCentreTheSweepIsTheAngleBetween) {
     }
 }
 
-TEST(ArcSolution, ByItsRadiusTheSignTellsTheShorterFromTheLonger) {
+TEST(ArcSolution, SignOfRadiusSelectsShorterOrLongerArc) {
     Random random;
     for (int i = 0; i < kCases; ++i) {
         const KnownArc shorter = random.arc(0.05, kPi - 0.05);
@@ -75,7 +75,7 @@ TEST(ArcSolution, ByItsRadiusTheSignTellsTheShorterFromTheLonger) {
     }
 }
 
-TEST(ArcSolution, ByItsAngleWithItsEndOrItsCentre) {
+TEST(ArcSolution, SolvesAngleWithEndOrCentre) {
     Random random;
     for (int i = 0; i < kCases; ++i) {
         const KnownArc arc = random.arc(0.05, 2 * kPi - 0.05);
@@ -85,7 +85,7 @@ TEST(ArcSolution, ByItsAngleWithItsEndOrItsCentre) {
     }
 }
 
-TEST(ArcSolution, EndsThatCoincideAreAFullCircle) {
+TEST(ArcSolution, CoincidentEndsAreFullCircleOnlyByCentre) {
     const ArcEnds ends{{10, 0}, {10, 0}, true};
     EXPECT_DOUBLE_EQ(arc_by_center(ends, {0, 0}, {}, false)->sweep_rad, 2 * kPi);
     EXPECT_FALSE(arc_by_radius(ends, 10, {}));
@@ -93,7 +93,7 @@ TEST(ArcSolution, EndsThatCoincideAreAFullCircle) {
     EXPECT_DOUBLE_EQ(swept_rad(ends, {0, 0}), 2 * kPi);
 }
 
-TEST(ArcSolution, RadiiMayDifferByTheToleranceOfTheUnits) {
+TEST(ArcSolution, AcceptsRadiiWithinToleranceOfUnits) {
     const ArcRules rules{.radii_tolerance_mm = 0.03,
                          .radii_tolerance_inch_mm = 0.07,
                          .radii_tolerance_share = 0.001,
@@ -108,7 +108,7 @@ TEST(ArcSolution, RadiiMayDifferByTheToleranceOfTheUnits) {
     EXPECT_FALSE(arc_by_center(differing(3.1, 5000), {0, 0}, rules, false));  // up to 3 mm
 }
 
-TEST(ArcSolution, ARadiusThatIsALittleShortIsHalfACircle) {
+TEST(ArcSolution, SlightlyShortRadiusGivesHalfCircle) {
     const ArcEnds ends{{0, 0}, {20, 0}, true};
     const auto arc = arc_by_radius(ends, 9.96, {});
     ASSERT_TRUE(arc);
@@ -117,7 +117,7 @@ TEST(ArcSolution, ARadiusThatIsALittleShortIsHalfACircle) {
     EXPECT_FALSE(arc_by_radius(ends, 9.94, {}));
 }
 
-TEST(ArcSolution, TurnsAreWholeNumbersWithinTheTolerance) {
+TEST(ArcSolution, AcceptsOnlyIntegerTurnsWithinTolerance) {
     const ArcRules exact;
     const ArcRules near{.turns_tolerance = 1e-4};
     EXPECT_DOUBLE_EQ(*additional_turns_rad(1, exact), 0);
@@ -130,12 +130,12 @@ TEST(ArcSolution, TurnsAreWholeNumbersWithinTheTolerance) {
     EXPECT_FALSE(additional_turns_rad(1.5, near));
 }
 
-TEST(ArcSolution, AnglesAreAboveNoneAndUpToATurn) {
+TEST(ArcSolution, AcceptsAnglesAboveZeroUpToFullTurn) {
     EXPECT_DOUBLE_EQ(*arc_angle_rad(360), 2 * kPi);
     for (const double degrees : {0.0, -10.0, 360.1, std::nan("")}) EXPECT_FALSE(arc_angle_rad(degrees));
 }
 
-TEST(ArcSolution, OddNumbersComeBack) {
+TEST(ArcSolution, ReturnsForNonFiniteAndHugeNumbers) {
     const double inf = std::numeric_limits<double>::infinity();
     for (const double odd : {std::nan(""), inf, -inf, 1e300, 0.0}) {
         const ArcEnds ends{{odd, 1}, {2, odd}, false};

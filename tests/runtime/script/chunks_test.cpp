@@ -45,7 +45,7 @@ const char* const kProgram =
     "G21 G90 F3000\nG0 X100 Y100 (start)\nG1 X110 Y105\nX115\nG3 X105 Y115 I-10\n\n#1=4\nG1 X[#1*30] Y90 M8\n"
     "G91 X1\nX1\nM9\nG90 G4 P.5\nG0 X0 Y0\n";
 
-TEST(Chunks, OfAnySizeGiveTheWholeRun) {
+TEST(Chunks, AnySizeGivesSameRun) {
     const Outcome full = run(kProgram);
     ASSERT_TRUE(full.completed()) << full.message();
     ASSERT_GT(full.moves.size(), 7U);
@@ -55,7 +55,7 @@ TEST(Chunks, OfAnySizeGiveTheWholeRun) {
     }
 }
 
-TEST(Chunks, AlarmsHaveTheirLines) {
+TEST(Chunks, AlarmsHaveCorrectLines) {
     const std::string program = std::string(kProgram) + "X-1\nX5\n";
     for (const std::size_t lines : {1U, 3U, 50U}) {
         const Outcome r = run_script(in_pieces(program, lines), {});
@@ -65,7 +65,7 @@ TEST(Chunks, AlarmsHaveTheirLines) {
         expect_alarm(run_script(in_pieces("G0 X1\n\n\nG0 X[1/0]\n", lines), {}), 4, {"zero"});
 }
 
-TEST(Chunks, EndsAndRepeatsComeThrough) {
+TEST(Chunks, KeepProgramEndsAndRepeats) {
     Conditions conditions;
     conditions.limits.max_blocks = 50;
     const std::string repeat = "G0 X100\nX0\nX50\nM99\nX1\n";
@@ -74,7 +74,7 @@ TEST(Chunks, EndsAndRepeatsComeThrough) {
     expect_same(run(ends), run_script(in_pieces(ends, 1), {}));
 }
 
-TEST(Chunks, SubprogramsAreCalledAgain) {
+TEST(Chunks, CallSubprogramsRepeatedly) {
     Script script = Script::from_text("M98{p=2, l=3}\nM98{p=2}\nG91() G0{x=10.0}\n", "part.nc", 0);
     const std::uint64_t sub = std::string("M98{p=2, l=3}\nM98{p=2}\n").size();
     script.functions.push_back({"program(1, ", {{0, 14, 1}, {14, sub, 2}}});
@@ -84,7 +84,7 @@ TEST(Chunks, SubprogramsAreCalledAgain) {
     EXPECT_EQ(r.moves[0].info.location.line, 3U);
 }
 
-TEST(Chunks, LinesThatAreRunWithoutLuaCountAsSteps) {
+TEST(Chunks, LinesRunWithoutLuaCountAsSteps) {
     std::string gcode;
     for (int i = 0; i < 50'000; ++i) gcode += "G21 G90\n";
     Conditions conditions;
@@ -95,7 +95,7 @@ TEST(Chunks, LinesThatAreRunWithoutLuaCountAsSteps) {
     EXPECT_LT(r.line(), 40'000U);  // at 3 for a call
 }
 
-TEST(Chunks, AWordThatThePieceItselfMakesIsFound) {
+TEST(Chunks, FindFunctionDefinedInEarlierChunk) {
     const std::string first = "G0{x=10.0}\n";
     const std::string second = "function twice() G0{x=20.0} G0{x=30.0} end\n";
     const std::string third = "G0{x=35.0} twice() G0{x=40.0}\n";
@@ -121,7 +121,7 @@ TEST(Chunks, AWordThatThePieceItselfMakesIsFound) {
     EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 3, 2, 2, 3, 4, 4, 2, 2}));
 }
 
-TEST(Chunks, AnUnknownWordIsBlamedWhereItStands) {
+TEST(Chunks, ReportUnknownWordAtItsLine) {
     const std::string text = "G0{x=10.0}\nG0{x=20.0} G77{x=1}\n";
     Script script = Script::from_text(text, "part.nc", 0);
     script.functions.push_back({"program(1, ", {{0, script.size, 1}}});
@@ -130,7 +130,7 @@ TEST(Chunks, AnUnknownWordIsBlamedWhereItStands) {
     EXPECT_EQ(r.moves.size(), 2U);
 }
 
-TEST(Chunks, OthersRunBetweenLines) {
+TEST(Chunks, OtherProcessesRunBetweenLines) {
     Conditions conditions;
     conditions.options.setup = Script::from_text(
         "process('a', function() for i = 1, 5 do wait(0.5) signal('x') end end)", "setup.lua", 0);
@@ -146,7 +146,7 @@ TEST(Chunks, OthersRunBetweenLines) {
     }
 }
 
-TEST(Chunks, ProgressIsTold) {
+TEST(Chunks, ReportProgress) {
     Conditions conditions;
     std::vector<std::uint64_t> reported;
     conditions.options.progress = [&](std::uint64_t done, std::uint64_t total) {

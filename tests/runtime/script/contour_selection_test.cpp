@@ -35,7 +35,7 @@ std::string error(const std::string& lua, const LuaState::Limits& limits = {}) {
     return found ? "" : found.error().message;
 }
 
-TEST(ContourSelection, TheFunctionIsAskedOfEachInTheirOrder) {
+TEST(ContourSelection, CallsFunctionForEachContourInOrder) {
     EXPECT_EQ(selected("return function(contour) return contour.is_hole end"), (std::vector{true, false}));
     EXPECT_EQ(selected("return function(contour) return contour.is_open end"), (std::vector{false, true}));
     EXPECT_EQ(selected("return function(contour) return contour.length_mm > 100 end"),
@@ -44,7 +44,7 @@ TEST(ContourSelection, TheFunctionIsAskedOfEachInTheirOrder) {
               (std::vector{false, true}));
 }
 
-TEST(ContourSelection, ItIsToldAllFacts) {
+TEST(ContourSelection, PassesAllPropertiesToFunction) {
     EXPECT_EQ(selected(R"lua(
         return function(c)
           if not c.is_hole then return false end
@@ -57,7 +57,7 @@ TEST(ContourSelection, ItIsToldAllFacts) {
               (std::vector{true, false}));
 }
 
-TEST(ContourSelection, WhatIsNoChoiceIsRefusedWithItsPlace) {
+TEST(ContourSelection, RejectsInvalidScriptWithSourceLocation) {
     EXPECT_THAT(error("return 5"),
                 HasSubstr("choose.lua:1: the script must return a function with a contour"));
     EXPECT_THAT(error("return function() return 1 end"),

@@ -89,7 +89,7 @@ void expect_limits_held(const GroupRun& r) {
 }
 
 // A quarter of a round seam: the table turns under the stationary tool. The point under it moves at F.
-TEST(Groups, ATableTurnsUnderAToolThatStands) {
+TEST(GroupMoves, TableTurnsUnderStationaryTool) {
     for (const auto planner : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         const GroupRun r(
             "F(1200)\n" + kToTheRim +
@@ -113,7 +113,7 @@ TEST(Groups, ATableTurnsUnderAToolThatStands) {
 }
 
 // On the table the TCP's path is a line, whatever the table does meanwhile; it turns evenly along it.
-TEST(Groups, ACoordinatedLineIsStraightOnTheTable) {
+TEST(GroupMoves, CoordinatedLineIsStraightOnTable) {
     for (const auto planner : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         const GroupRun r(
             "F(3000)\n" + kToTheRim + "MoveLinear{x=120, y=80, z=10, yaw=180, turntable={z=-60}}\n",
@@ -135,7 +135,7 @@ TEST(Groups, ACoordinatedLineIsStraightOnTheTable) {
 
 // In the world the tool moves straight to the future position of the point on the table; both arrive
 // together.
-TEST(Groups, ASynchronousLineIsStraightInTheWorld) {
+TEST(GroupMoves, SynchronousLineIsStraightInWorld) {
     const GroupRun r("F(3000)\n" + kToTheRim +
                      "group('turntable').synchronous()\n"
                      "MoveLinear{x=120, y=80, z=10, roll=-60, yaw=180, turntable={z=60}}\n");
@@ -153,7 +153,7 @@ TEST(Groups, ASynchronousLineIsStraightInTheWorld) {
 }
 
 // The track carries the arm away below a stationary TCP; the feed is then the track's.
-TEST(Groups, ATrackGoesBelowATipThatStands) {
+TEST(GroupMoves, TrackMovesBelowStationaryTcp) {
     const GroupRun r("F(600)\n" + kToTheRim + "MoveLinear{x=200, y=0, z=10, yaw=180, track={x=300}}\n");
     ASSERT_TRUE(r.run.completed()) << r.run.message();
     EXPECT_NEAR(r.run.to(1, 'X'), 300, 1e-9);
@@ -166,7 +166,7 @@ TEST(Groups, ATrackGoesBelowATipThatStands) {
 }
 
 // The arm is stationary on its base, and the track alone carries the TCP: in closed form.
-TEST(Groups, ATrackCarriesAnArmThatStands) {
+TEST(GroupMoves, TrackCarriesStationaryArm) {
     const GroupRun r("F(6000)\n" + kToTheRim + "MoveLinear{x=-200, y=0, z=10, yaw=180, track={x=-400}}\n");
     ASSERT_TRUE(r.run.completed()) << r.run.message();
     EXPECT_NEAR(r.run.seconds(1), 400 / 100.0 + 100 / kTrackAcceleration_mm_s2, 1e-6);
@@ -177,7 +177,7 @@ TEST(Groups, ATrackCarriesAnArmThatStands) {
     });
 }
 
-TEST(Groups, ASynchronousTrackLeavesTheArmItsOwnLine) {
+TEST(GroupMoves, SynchronousTrackKeepsLineOfArm) {
     const GroupRun r("F(3000)\n" + kToTheRim +
                      "group('track').synchronous()\nMoveLinear{x=150, y=60, z=60, yaw=180, track={x=250}}\n");
     ASSERT_TRUE(r.run.completed()) << r.run.message();
@@ -192,7 +192,7 @@ TEST(Groups, ASynchronousTrackLeavesTheArmItsOwnLine) {
 }
 
 // A ring in four quarters under a stationary torch, and a seam along the rail with a stationary arm.
-TEST(Groups, TheSampleTakesWhatGeometrySays) {
+TEST(GroupMoves, SampleMatchesGeometry) {
     std::ifstream file(tests::source_path("samples/cell/seam.lua"));
     const GroupRun r(std::string(std::istreambuf_iterator<char>(file), {}));
     ASSERT_TRUE(r.run.completed()) << r.run.message();
@@ -209,7 +209,7 @@ TEST(Groups, TheSampleTakesWhatGeometrySays) {
     EXPECT_GE(r.run.seconds(7), 360 / 120.0 + 120 / kTableAcceleration_deg_s2 - 1e-9) << "the table governs";
 }
 
-TEST(Groups, PosesLeaveThemWhereTheyAre) {
+TEST(GroupMoves, MovesToPosesKeepGroupPositions) {
     const GroupRun r(
         kToTheRim +
         "MoveJoint{x=150, y=20, z=40, yaw=180, track={x=100}, turntable={z=30}}\n"
@@ -223,7 +223,7 @@ TEST(Groups, PosesLeaveThemWhereTheyAre) {
     r.in_move(2, [&](const motion::JointState& state) { EXPECT_NEAR(state.position[kTrack], 100, 1e-12); });
 }
 
-TEST(Groups, TheInverseHoldsThem) {
+TEST(GroupMoves, InverseKeepsGroupJoints) {
     const auto kinematics = machine::make_kinematics(in_the_cell().machine);
     EXPECT_EQ(kinematics->fixed_joints(), (std::vector<int>{kTrack, kTable}));
     const rrs::JointPos home = machine::home_position(in_the_cell().machine);
@@ -255,7 +255,7 @@ double table_deg_after(double t_s, double way_deg) {
 const std::string kByItself = "local t = group 'turntable' t.independent()\n";
 
 // The tool moves along the same path as without the table; neither waits for the other one.
-TEST(Groups, AnIndependentTableTurnsBesideTheToolsMoves) {
+TEST(GroupMoves, IndependentTableTurnsDuringToolMoves) {
     for (const auto planner : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         // The table is at its end: the tool is at the rim again, and moves up from there.
         const std::string moves =
@@ -292,7 +292,7 @@ TEST(Groups, AnIndependentTableTurnsBesideTheToolsMoves) {
     }
 }
 
-TEST(Groups, WhatNeedsAnIndependentGroupWaitsForIt) {
+TEST(GroupMoves, WaitsForIndependentGroupOnlyIfNeeded) {
     const double turn_s = 180 / 120.0 + 120 / 200.0;
     const GroupRun waits(kByItself + "t.move{z=180}\nt.wait()\n");
     ASSERT_TRUE(waits.run.completed()) << waits.run.message();
@@ -309,7 +309,7 @@ TEST(Groups, WhatNeedsAnIndependentGroupWaitsForIt) {
     EXPECT_NEAR(other.run.report.cycle_time_s, turn_s + 2 * std::sqrt(300 / kTrackAcceleration_mm_s2), 1e-9);
 }
 
-TEST(Groups, SCurvesOfAnIndependentGroupEndInARest) {
+TEST(GroupMoves, SCurveOfIndependentGroupEndsAtStandstill) {
     Conditions conditions = in_the_cell();
     conditions.machine.controller.ramps.limit_jerk = true;
     conditions.machine.axes[kTable].max_jerk = 1000;
@@ -321,7 +321,7 @@ TEST(Groups, SCurvesOfAnIndependentGroupEndInARest) {
     EXPECT_NEAR(r.at(turn_s + 1).position[kTable] / kRadPerDeg, 180, 1e-9);
 }
 
-TEST(Groups, TheScriptSaysHowTheyMove) {
+TEST(GroupMoves, ScriptSetsMotionOfGroup) {
     const GroupRun r(
         "local g = group 'turntable'\nprint(g.motion())\ng.synchronous()\n"
         "assert(g.motion() == 'synchronous')\ng.coordinated()\nassert(g.motion() == 'coordinated')\n"
@@ -329,7 +329,7 @@ TEST(Groups, TheScriptSaysHowTheyMove) {
     EXPECT_TRUE(r.run.completed()) << r.run.message();
 }
 
-TEST(Groups, WhatCannotBeIsSaid) {
+TEST(GroupMoves, RejectsInvalidGroupUse) {
     const auto said = [](const std::string& lua) { return run_lua(lua, in_the_cell()); };
     expect_alarm(said("F(600)\nMoveLinear{x=1, table={z=1}}"), 2,
                  {"MoveLinear", "not 'table'", "its groups are: track, turntable"});
@@ -356,7 +356,7 @@ TEST(Groups, WhatCannotBeIsSaid) {
 }
 
 // If a closed inverse finds all axes, words move those of groups, and G43.4 coordinates them.
-TEST(Groups, AMillsTableIsLedByWords) {
+TEST(GroupMoves, WordsMoveTableOfMill) {
     Conditions conditions;
     conditions.machine =
         machine::load_machine(tests::source_path("samples/machines/mill-table-table.toml")).value();

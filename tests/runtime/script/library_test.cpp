@@ -7,11 +7,11 @@ namespace {
 
 using LibraryFolder = script::LibraryFolder;
 
-TEST_F(LibraryFolder, DoesWhatTheBuiltInOneDoes) {
+TEST_F(LibraryFolder, CopyOfBuiltInLibraryRuns) {
     expect_end(run_here("G91() G0{x=5.0} G0{x=5.0}"), 10, 0, 0);
 }
 
-TEST_F(LibraryFolder, AUserAddsAWordAndChangesAnother) {
+TEST_F(LibraryFolder, UserAddsAndChangesWords) {
     write("common/switches.lua",
           read("common/switches.lua") + "\nword(\"M77\", function() core.event(\"pallet\") end)\n");
     insert("ab9/modes.lua", "  if true then return core.event(\"valve\") end\n",
@@ -21,7 +21,7 @@ TEST_F(LibraryFolder, AUserAddsAWordAndChangesAnother) {
     EXPECT_EQ(r.events(), "pallet jet_on valve jet_off") << "the machine file says what M9 switches";
 }
 
-TEST_F(LibraryFolder, AnArcOfTheUsersOwnStaysWhateverShapesThePath) {
+TEST_F(LibraryFolder, KeepsUserDefinedArcWithPolarCoordinates) {
     remove("common/arcs.lua", "arc(\"G2\", false)");
     write("common/arcs.lua",
           read("common/arcs.lua") +
@@ -33,7 +33,7 @@ TEST_F(LibraryFolder, AnArcOfTheUsersOwnStaysWhateverShapesThePath) {
     EXPECT_EQ(r.moves.size(), 3U);
 }
 
-TEST_F(LibraryFolder, ABrokenOneSaysWhatAndWhere) {
+TEST_F(LibraryFolder, ReportsErrorWithFileAndLine) {
     write("common/feed.lua", "word(\"F\", function(value)\n\nthis is no Lua\n");
     EXPECT_NE(error_text().find("lua_lib/common/feed.lua:3:"), std::string::npos) << error_text();
     write("common/feed.lua", "local x = nil\nx.y = 5\n");
@@ -42,14 +42,14 @@ TEST_F(LibraryFolder, ABrokenOneSaysWhatAndWhere) {
     EXPECT_NE(error_text(), "none");
 }
 
-TEST_F(LibraryFolder, AMissingFileIsNamed) {
+TEST_F(LibraryFolder, ReportsMissingFileByName) {
     erase("common/arcs.lua");
     EXPECT_NE(error_text().find("arcs.lua"), std::string::npos) << error_text();
     erase("init.lua");
     EXPECT_NE(error_text().find("init.lua"), std::string::npos) << error_text();
 }
 
-TEST_F(LibraryFolder, AMistakeInAWordIsAnErrorOfTheRun) {
+TEST_F(LibraryFolder, ReportsErrorInWordAsAlarm) {
     insert("common/feed.lua", "word(\"M77\", function() local t = nil; t.x = 1 end)\n", "return {");
     const Outcome r = run_here("G0{x=1}\nM77()\n");
     EXPECT_EQ(r.report.status, simulation::RunStatus::alarm);

@@ -51,7 +51,7 @@ std::string text(const std::array<double, 6>& pose) {
                        pose[0], pose[1], pose[2], pose[3], pose[4], pose[5]);
 }
 
-TEST(Neutral, LinearMovesReachTheirPose) {
+TEST(NeutralMoves, LinearMovesReachPose) {
     const auto first = reachable(100, 200, 50, 0, 0);
     const auto second = reachable(300, 250, 150, 40, 30);
     const Outcome r = run_lua("F(6000)\nMoveLinear" + text(first) + "\nMoveLinear" + text(second));
@@ -68,7 +68,7 @@ TEST(Neutral, LinearMovesReachTheirPose) {
     EXPECT_EQ(r.moves[1].info.location.line, 3U);
 }
 
-TEST(Neutral, JointMovesMoveAllJointsTogether) {
+TEST(NeutralMoves, JointMovesMoveAllJointsTogether) {
     const auto pose = reachable(300, 600, 150, 40, 30);
     const Outcome r = run_lua("MoveJoint" + text(pose));
     ASSERT_TRUE(r.completed()) << r.message();
@@ -84,7 +84,7 @@ TEST(Neutral, JointMovesMoveAllJointsTogether) {
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(middle[i], (move.start[i] + move.end[i]) / 2, 1e-9);
 }
 
-TEST(Neutral, CircularMovesGoThroughTheirPoint) {
+TEST(NeutralMoves, CircularMovesPassViaPoint) {
     const auto start = reachable(100, 100, 100, 0, 0);
     const auto via = reachable(110, 110, 100, 0, 0);
     const auto to = reachable(120, 100, 100, 0, 0);
@@ -98,14 +98,14 @@ TEST(Neutral, CircularMovesGoThroughTheirPoint) {
     EXPECT_NEAR(arc.position_at(arc.duration_s / 2)[1], 110, 1e-6);
 }
 
-TEST(Neutral, PosesIgnoreWorkFramesAndUnits) {
+TEST(NeutralMoves, PosesIgnoreWorkFramesAndUnits) {
     const auto pose = reachable(100, 200, 50, 0, 0);
     const Outcome r = run_lua("G20() G91() G52{x=5.0} F(100) MoveLinear" + text(pose));
     ASSERT_TRUE(r.completed()) << r.message();
     expect_pose(pose_after(r, 0), pose);
 }
 
-TEST(Neutral, APoseOutOfReachIsAnAlarm) {
+TEST(NeutralMoves, RejectsPoseOutOfRangeAndMissingFeed) {
     const auto far = reachable(5000, 200, 50, 0, 0);
     expect_alarm(run_lua("F(100)\nMoveLinear" + text(far)), 2, {"axis X", "5000"});
     expect_alarm(run_lua("\nMoveLinear" + text(reachable(100, 200, 50, 0, 0))), 2, {"no feed"});
@@ -117,7 +117,7 @@ Conditions with_machine(const std::string& name) {
     return conditions;
 }
 
-TEST(Neutral, PosesOfAMillAreThoseOfTheToolInTheWork) {
+TEST(NeutralMoves, PosesOfMillAreRelativeToWork) {
     const Outcome r = run_lua("F(1000)\nMoveLinear{x=50, y=20, z=60, roll=30, yaw=-40}",
                               with_machine("mill-table-table.toml"));
     ASSERT_TRUE(r.completed()) << r.message();
@@ -126,7 +126,7 @@ TEST(Neutral, PosesOfAMillAreThoseOfTheToolInTheWork) {
     EXPECT_NEAR(r.to(0, 'A'), -40, 1e-9);
 }
 
-TEST(Neutral, AnArmGoesToItsPosesAndNamesThoseItCannotReach) {
+TEST(NeutralMoves, ArmReachesPosesAndReportsUnreachableOnes) {
     const Conditions arm = with_machine("arm6.toml");
     const Outcome r = run_lua("MoveJoint{x=500, y=100, z=300, pitch=150}", arm);
     ASSERT_TRUE(r.completed()) << r.message();
@@ -136,7 +136,7 @@ TEST(Neutral, AnArmGoesToItsPosesAndNamesThoseItCannotReach) {
 }
 
 // The wrist of the arm straight.
-TEST(Neutral, ASingularPoseIsAWarningThatNamesItsLineAndItsAxes) {
+TEST(NeutralMoves, WarnsAboutSingularPoseWithLineAndAxes) {
     Conditions arm = with_machine("arm6.toml");
     for (machine::Axis& axis : arm.machine.axes) {
         if (axis.letter == 'V') axis.home = 0;
@@ -153,7 +153,7 @@ TEST(Neutral, ASingularPoseIsAWarningThatNamesItsLineAndItsAxes) {
               "without moving the tool");
 }
 
-TEST(Neutral, AMachineWithoutInverseSaysSo) {
+TEST(NeutralMoves, RejectsPoseIfMachineHasNoInverse) {
     Conditions conditions;
     conditions.machine.inverse = machine::InverseKind::none;
     const Outcome r = run_lua("F(100)\nMoveLinear{x=1}", conditions);

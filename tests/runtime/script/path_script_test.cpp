@@ -34,7 +34,7 @@ TEST(PathScript, BuildsPointsAndSubPathsInLoops) {
     EXPECT_EQ(file->with_location({0, 2}, "x"), "f.lua:4: x");
 }
 
-TEST(PathScript, PathsAndUsesHaveFramesAndTools) {
+TEST(PathScript, PathsAndRepeatsHaveFramesAndTools) {
     const auto file = run_path_script(R"lua(
         local part = path{name = "part", tool = 3, diameter_offset = 4, point{position_mm = {1, 2, 3}}}
         return path{name = "job", work_offset = "G54", set_offset_mm = {1, 2, 3}, part,
@@ -50,7 +50,7 @@ TEST(PathScript, PathsAndUsesHaveFramesAndTools) {
               (path::SubPath{0, 2, {"55", path::Vector{4, 5, 6}}}));
 }
 
-TEST(PathScript, MachinePointsAndTouches) {
+TEST(PathScript, ReadsMachinePointsAndTouches) {
     const auto file = run_path_script(R"lua(
         local part = path{name = "part", point{reference = 2}, point{motion = "rapid", position_mm = {1, 2, 3}}}
         return path{name = "job", repeated(1, part, {work_offset = "G55", probe_offset = {
@@ -79,7 +79,7 @@ struct Wrong {
     std::string script, error;
 };
 
-TEST(PathScript, ErrorsNameTheLine) {
+TEST(PathScript, ReportsErrorsWithLine) {
     const std::vector<Wrong> cases = {
         {"return 3", "f.lua:1: the script must return the root path"},
         {"\nreturn point{position = {1, 2, 3}}", "f.lua:2: unknown key 'position' in a point"},
@@ -135,7 +135,7 @@ TEST(PathScript, ErrorsNameTheLine) {
 }
 
 // The data that a script receives before it begins takes memory, too.
-TEST(PathScript, HoweverLittleMemoryThereIsIsAnErrorAndNoEnd) {
+TEST(PathScript, SurvivesAnyMemoryLimit) {
     const std::string script = "return path{name = 'a', point{position_mm = {1, 2, 3}}}";
     int rejected = 0, made = 0;
     for (std::size_t bytes = 8'000; bytes < 100'000; bytes += 200) {

@@ -84,7 +84,7 @@ std::string as_read(const std::string& line) {
     return notes;
 }
 
-TEST(PlainCalls, WhatTheTranslatorWrites) {
+TEST(PlainCalls, LinesOfTranslatorEqualLua) {
     EXPECT_EQ(as_read("F(3000) G1{x=5.000, y=-2} M8()   -- N20 (go)"),
               "F integer 3000;G1 x=float 0x1.4p+2 y=integer -2;M8;");
     for (const char* line : {"",
@@ -113,7 +113,7 @@ TEST(PlainCalls, WhatTheTranslatorWrites) {
     }
 }
 
-TEST(PlainCalls, AllElseIsLeftToLua) {
+TEST(PlainCalls, LeavesOtherLinesToLua) {
     for (const char* line : {"x = 1",
                              "G1{x=v[1]}",
                              "G1{x=1+1}",
@@ -171,7 +171,7 @@ std::string random_line(std::mt19937& random) {
     return line;
 }
 
-TEST(PlainCalls, RandomLinesMeanWhatLuaSays) {
+TEST(PlainCalls, RandomLinesEqualLua) {
     std::mt19937 random(14);
     int plain = 0;
     for (int i = 0; i < 60'000; ++i) {

@@ -19,7 +19,7 @@ double move_s(double length) {
     return trapezoid_s(length, 100, kAcceleration_mm_s2);
 }
 
-TEST(Processes, ASignalIsSetWhenTheRobotHasCome) {
+TEST(Processes, SetsSignalWhenRobotArrives) {
     const Outcome r = run_lua(
         "process('listener', function() wait_until('there') signal('heard') end)\n"
         "F(6000) G1{x=100} G1{x=300} signal('there')\n"
@@ -32,7 +32,7 @@ TEST(Processes, ASignalIsSetWhenTheRobotHasCome) {
     EXPECT_NEAR(r.report.cycle_time_s, there_s + move_s(100), 1e-9);
 }
 
-TEST(Processes, ARobotStandsIdleUntilItIsCalled) {
+TEST(Processes, RobotIsIdleUntilSignal) {
     const Outcome r = run_lua(
         "device('feeder', function() wait(4) signal('part', 7) end)\n"
         "F(6000) G1{x=100} wait_until('part', 7) G1{x=200} wait(0.5)\n");
@@ -45,7 +45,7 @@ TEST(Processes, ARobotStandsIdleUntilItIsCalled) {
     EXPECT_EQ(r.report.concurrency.processes[1].state, "done");
 }
 
-TEST(Processes, OfEqualTimesTheFirstCreatedGoesFirst) {
+TEST(Processes, FirstCreatedRunsFirstAtEqualTimes) {
     const Outcome r = run_lua(
         "local order = ''\n"
         "for _, name in ipairs{'c', 'a', 'b'} do\n"
@@ -55,7 +55,7 @@ TEST(Processes, OfEqualTimesTheFirstCreatedGoesFirst) {
     EXPECT_TRUE(r.completed()) << r.message();
 }
 
-TEST(Processes, AWaitMayRunOutOfTime) {
+TEST(Processes, WaitReturnsFalseAtTimeout) {
     const Outcome r = run_lua(
         "process('late', function() wait(5) signal('x') end)\n"
         "assert(wait_until('x', true, 2) == false) signal('gave up')\n"
@@ -68,7 +68,7 @@ TEST(Processes, AWaitMayRunOutOfTime) {
     EXPECT_NEAR(times(r, "end").at(0), 6, 1e-12);
 }
 
-TEST(Processes, ADeadlockSaysWhoWaitsForWhat) {
+TEST(Processes, ReportsDeadlockWithEachWait) {
     const Outcome r = run_lua(
         "process('left', function()\n  wait_until 'right ready'\nend)\n"
         "process('right', function()\n  wait(2)\n  wait_until('left ready', 3)\nend)\n");
@@ -77,7 +77,7 @@ TEST(Processes, ADeadlockSaysWhoWaitsForWhat) {
                   "'right' (part.lua:6) waits for 'left ready' to be 3"});
 }
 
-TEST(Processes, AnInterruptComesAtTheNextLineBehindTheSignal) {
+TEST(Processes, InterruptRunsAtNextLineAfterSignal) {
     const Outcome r = run_lua(
         "device('door', function() wait(1.5) signal('open') wait(2) signal('open', false) end)\n"
         "on_signal('open', function() signal('seen') wait_until('open', false) end)\n"
@@ -92,7 +92,7 @@ TEST(Processes, AnInterruptComesAtTheNextLineBehindTheSignal) {
     EXPECT_NEAR(r.report.cycle_time_s, 3.5 + move_s(100), 1e-9);
 }
 
-TEST(Processes, AnInterruptThatIsTakenAwayDoesNotCome) {
+TEST(Processes, RemovedInterruptDoesNotRun) {
     const Outcome r = run_lua(
         "process('door', function() signal('open') end)\n"
         "on_signal('open', function() error('interrupted') end)\n"
@@ -101,7 +101,7 @@ TEST(Processes, AnInterruptThatIsTakenAwayDoesNotCome) {
     EXPECT_TRUE(r.completed()) << r.message();
 }
 
-TEST(Processes, ARobotBelongsToOneProcess) {
+TEST(Processes, RobotBelongsToOneProcess) {
     const Outcome r = run_lua(
         "process('thief', function()\n  wait(1)\n  G0{x=10}\nend)\n"
         "F(600) G1{x=100} wait(5) G1{x=200}\n");
@@ -111,7 +111,7 @@ TEST(Processes, ARobotBelongsToOneProcess) {
     EXPECT_NEAR(after.report.cycle_time_s, 1 + move_s(100), 1e-9);
 }
 
-TEST(Processes, ErrorsHaveTheirLineAndEndTheRun) {
+TEST(Processes, ErrorsHaveLineAndEndRun) {
     expect_alarm(run_lua("process('a', function()\n  wait(1)\n  local x = {} .. 5\nend)\nwait(5)\n"), 3,
                  {"concatenate"});
     expect_alarm(run_lua("process('a', function()\n  wait(1)\n  G0{x=9999}\nend)\n"), 3, {"axis X"});
@@ -126,7 +126,7 @@ TEST(Processes, ErrorsHaveTheirLineAndEndTheRun) {
     expect_alarm(run_lua("\ntable.sort({2, 1}, function() wait_until('x') end)\n"), 2, {"yield"});
 }
 
-TEST(Processes, PcallGoesAroundAWait) {
+TEST(Processes, PcallSpansWait) {
     const Outcome r = run_lua(
         "process('a', function() wait(1) signal('x') end)\n"
         "local ok, e = pcall(function() wait_until('x') error('mine') end)\n"
@@ -135,7 +135,7 @@ TEST(Processes, PcallGoesAroundAWait) {
     EXPECT_TRUE(r.completed()) << r.message();
 }
 
-TEST(Processes, LimitsHoldInAllOfThem) {
+TEST(Processes, LimitsHoldInAllProcesses) {
     Conditions conditions;
     conditions.options.limits.steps = 100'000;
     expect_stopped(run_lua("process('a', function() wait(1) while true do end end)\n", conditions),
@@ -158,7 +158,7 @@ TEST(Processes, LimitsHoldInAllOfThem) {
                    "--max-blocks");
 }
 
-TEST(Processes, WithoutThemTheReportHasNone) {
+TEST(Processes, ReportOmitsProcessesIfNoneStarted) {
     const Outcome r = run_lua("F(6000) G1{x=100} wait(1)\nsignal('x')\n");
     ASSERT_TRUE(r.completed()) << r.message();
     EXPECT_TRUE(r.report.concurrency.processes.empty());
@@ -178,7 +178,7 @@ TEST(Processes, InputsAndOutputsAreSignals) {
     EXPECT_NEAR(r.report.concurrency.processes.at(0).idle_s, 3, 1e-9);
 }
 
-TEST(Processes, ProgramsWaitInThePiecesOfALongScript) {
+TEST(Processes, ProgramWaitsWithinChunksOfLongScript) {
     Script script;
     const std::string text = "wait_until('x') v[1] = 1\nG0{x=v[1]} wait(1) G0{x=2}\n";
     script.file_name = "part.nc";

@@ -6,7 +6,7 @@
 namespace gsim::script::repeatable_test {
 namespace {
 
-TEST(Repeatable, PairsGoesByTheKeys) {
+TEST(RepeatableScripts, PairsFollowsKeyOrder) {
     const Outcome r = run_lua(R"(
 local t = {}
 for _, key in ipairs{"zeta", "alpha", "b", "B", "beta"} do t[key] = true end
@@ -24,7 +24,7 @@ assert(text == "-2 3.5 7 9007199254740992 9007199254740993 B alpha b beta zeta f
     EXPECT_TRUE(r.completed()) << r.message();
 }
 
-TEST(Repeatable, NextGoesByTheKeysToo) {
+TEST(RepeatableScripts, NextFollowsKeyOrder) {
     const Outcome r = run_lua(R"(
 local t = {c = 3, a = 1, b = 2}
 assert(next(t) == "a" and next(t, "a") == "b" and next(t, "b") == "c" and next(t, "c") == nil)
@@ -36,7 +36,7 @@ assert(order == "abc")
     EXPECT_TRUE(r.completed()) << r.message();
 }
 
-TEST(Repeatable, ATableMayChangeWhileItIsGoneThrough) {
+TEST(RepeatableScripts, TableMayChangeDuringIteration) {
     const Outcome r = run_lua(R"(
 local t, list = {}, {}
 for i = 1, 100 do t["k" .. i], list[i] = i, i end
@@ -49,13 +49,13 @@ assert(next(list) == nil)
     EXPECT_TRUE(r.completed()) << r.message();
 }
 
-TEST(Repeatable, KeysWithoutAnOrderAreRefused) {
+TEST(RepeatableScripts, RejectKeysWithoutOrder) {
     const Outcome r = run_lua("local t = {[print] = 1, [pairs] = 2}\nfor k in pairs(t) do end\n");
     expect_alarm(r, 2, {"several functions or userdata as keys", "in a list"});
     expect_alarm(run_lua("local t = {[print] = 1, [pairs] = 2}\nlocal k = next(t)\n"), 2, {"as keys"});
 }
 
-TEST(Repeatable, ObjectsHaveNumbersInsteadOfAddresses) {
+TEST(RepeatableScripts, ObjectsHaveNumbersInsteadOfAddresses) {
     const Outcome r = run_lua(R"(
 local t, u = {}, {}
 assert(tostring(u) == "table: 1" and tostring(t) == "table: 2" and tostring(u) == "table: 1")
@@ -65,7 +65,7 @@ assert(not pcall(string.format, "%p", t))
     EXPECT_TRUE(r.completed()) << r.message();
 }
 
-TEST(Repeatable, SortIsStable) {
+TEST(RepeatableScripts, SortIsStable) {
     const Outcome r = run_lua(R"(
 local t = {}
 for i = 1, 500 do t[i] = {key = i % 7, at = i} end
@@ -79,7 +79,7 @@ assert(not pcall(table.sort, {1, "x"}) and not pcall(table.sort, {1, 2}, 5))
     EXPECT_TRUE(r.completed()) << r.message();
 }
 
-TEST(Repeatable, SortEndsWhateverTheComparisonSays) {
+TEST(RepeatableScripts, SortEndsWithAnyComparison) {
     for (const char* compare :
          {"return true", "return false", "return math.random() < 0.5", "return a ~= b"}) {
         const Outcome r = run_lua(std::string("local t = {} for i = 1, 999 do t[i] = i end\n"
@@ -91,7 +91,7 @@ TEST(Repeatable, SortEndsWhateverTheComparisonSays) {
     }
 }
 
-TEST(Repeatable, OfSeveralWrongWordsTheFirstByItsLettersIsTold) {
+TEST(RepeatableScripts, ReportAlphabeticallyFirstWrongWord) {
     const char* words = "{x=1, zulu=1, mike=1, alpha=1, kilo=1, yankee=1}";
     for (const char* word : {"G0", "G1", "G2", "G28", "MoveLinear"})
         expect_alarm(run_lua(std::string("F(100)\n") + word + words), 2, {"'alpha'"});

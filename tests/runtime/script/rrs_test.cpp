@@ -16,7 +16,7 @@ Outcome expect_true(const std::string& script) {
     return r;
 }
 
-TEST(Services, EachExistsAndAnswersAStatus) {
+TEST(Services, EachReturnsStatus) {
     const char* frame = "{{1,0,0,0},{0,1,0,0},{0,0,1,0},{0,0,0,1}}";
     for (const std::string& call :
          std::vector<std::string>{"Initialize()",
@@ -74,13 +74,13 @@ TEST(Services, EachExistsAndAnswersAStatus) {
     }
 }
 
-TEST(Services, ThatAreNotOfferedSayMinusTwo) {
+TEST(Services, UnsupportedOnesReturnMinusTwo) {
     for (const char* call : {"Reset()", "Terminate()", "SelectTrajectoryMode(1)"})
         expect_true(fmt::format("assert(rrs.{} == -2)", call));
     expect_true("assert(rrs.status_name(-2) == 'RRS_SERVICE_NOT_SUPPORTED')");
 }
 
-TEST(Services, AStoppedMotionIsDroppedAndTheProgramGoesOn) {
+TEST(Services, CancelledMotionLetsProgramContinue) {
     const Outcome r = expect_true(R"(
 assert(rrs.ContinueMotion() == -4)
 assert(rrs.SelectMotionType("linear") == 0)
@@ -95,7 +95,7 @@ assert(rrs.SetNextTarget({0, 50, 0, 0, 0}) == 0)
     expect_end(r, 0, 50, 0);
 }
 
-TEST(Services, TargetsMoveTheMachine) {
+TEST(Services, TargetsMoveMachine) {
     const Outcome r = expect_true(R"(
 assert(rrs.SelectTargetType("joint") == 0)
 assert(rrs.SelectMotionType("linear") == 0)
@@ -109,7 +109,7 @@ assert(rrs.SetNextNamedTarget({100, 50, 0, 0, 0}, "corner") == 0)
     expect_end(r, 100, 50, 0);
 }
 
-TEST(Services, OrientationGoesAlongTheGreatCircle) {
+TEST(Services, SelectGreatCircleOrientation) {
     const Outcome r = expect_true(R"(
 assert(rrs.SelectOrientationInterpolationMode(7) == -4)
 assert(rrs.SelectOrientationInterpolationMode(1) == 0)
@@ -125,7 +125,7 @@ assert(rrs.SetNextTarget({100, 0, 0, 0, 0}) == 0)  -- by the joint angles
     expect_end(r, 100, 0, 0);
 }
 
-TEST(Services, AndWordsTakeTurns) {
+TEST(Services, AlternateWithWords) {
     // The selections of a script do not change what a word means, and a word continues from the end of a
     // target.
     const Outcome r = expect_true(R"(F(6000) G1{x=100.0}
@@ -148,7 +148,7 @@ double second_target_s(const std::string& word,
     return r.moves.empty() ? 0 : r.seconds(r.moves.size() - 1);
 }
 
-TEST(Services, HaveModesOfTheirOwnBehindEachWordThatMoves) {
+TEST(Services, KeepModesAfterEachMovingWord) {
     for (const char* word :
          {"", "G0{y=100}", "F(500) G1{y=100}", "F(500) G2{y=100, r=50}", "G93() F(2) G1{y=100} G94()",
           "F(500) G1{x=200, y=100} G0{z=0} move{y=100}", "G0{y=100} G28{z=0} G0{y=100}",
@@ -164,7 +164,7 @@ TEST(Services, HaveModesOfTheirOwnBehindEachWordThatMoves) {
                 trapezoid_s(200, 508, kAcceleration_mm_s2), 1e-9);
 }
 
-TEST(Services, BehindAWordTheFirstTargetsAreThoseOfServicesAlone) {
+TEST(Services, TargetsAfterWordUseModesOfServices) {
     const Outcome r = expect_true(R"(
 G0{x=10.0}
 assert(rrs.SelectTargetType("joint") == 0)
@@ -182,7 +182,7 @@ assert(rrs.SetNextNamedTarget({200, 200, 0, 0, 0}, "P2") == 0)
         << "joint motion is the default";
 }
 
-TEST(Services, CircularByViaAndEnd) {
+TEST(Services, MoveOnCircleByViaAndEnd) {
     const Outcome r = expect_true(R"(
 rrs.SelectTargetType("joint")
 assert(rrs.SetInitialPosition({100, 100, 0, 0, 0}) == 0)
@@ -195,7 +195,7 @@ assert(rrs.SetNextTarget({120, 100, 0, 0, 0}) == 0)
     EXPECT_NEAR(r.moves[0].length_mm, 10 * std::numbers::pi, 1e-6);
 }
 
-TEST(Services, RefusalsSayWhyAndTheRunGoesOn) {
+TEST(Services, RejectWithMessageAndRunContinues) {
     const Outcome r = expect_true(R"(
 rrs.SelectTargetType("joint") rrs.SelectMotionType("linear") rrs.SetCartesianPositionSpeed(50)
 assert(rrs.SetNextTarget({9999, 0, 0, 0, 0}) == -7)
@@ -208,13 +208,13 @@ G0{x=5.0}
     EXPECT_EQ(r.moves.size(), 1U);
 }
 
-TEST(Services, TheMachineCannotJumpWhileItRuns) {
+TEST(Services, RejectInitialPositionDuringRun) {
     const Outcome r =
         expect_true("G0{x=5.0}\nassert(rrs.SetInitialPosition({100, 0, 0, 0, 0}) < 0)\nG0{y=5.0}\n");
     expect_end(r, 5, 5, 0);
 }
 
-TEST(Services, KinematicsAreEachOthersInverse) {
+TEST(Services, ForwardAndInverseKinematicsAgree) {
     expect_true(R"(
 local status, pose = rrs.GetForwardKinematics({300, 400, 200, 0.5, 0.25})
 assert(status == 0 and #pose == 4 and #pose[1] == 4)
@@ -227,7 +227,7 @@ assert(rrs.GetInverseKinematics(pose) == 0)
 )");
 }
 
-TEST(Services, StepsCanBeAskedFor) {
+TEST(Services, GetNextStepReturnsSteps) {
     const Outcome r = run_lua(R"(
 rrs.SelectTargetType("joint") rrs.SelectMotionType("linear") rrs.SetCartesianPositionSpeed(100)
 rrs.SetInterpolationTime(0.1)
@@ -245,7 +245,7 @@ assert(rrs.GetNextStep() == 1)  -- RRS_NEED_MORE_DATA
     EXPECT_TRUE(r.completed()) << r.line() << ": " << r.message();
 }
 
-TEST(Services, BadArgumentsAreErrorsOfTheScript) {
+TEST(Services, BadArgumentsAreScriptErrors) {
     for (const char* call :
          {"SetNextTarget()", "SetNextTarget({1,2})", "SetNextTarget({1,2,3,4,{}})", "SetNextTarget({{1}})",
           "SetNextTarget({1,2,3,0,0}, 'middle')", "GetForwardKinematics({})", "GetInverseKinematics({1,2,3})",
@@ -257,7 +257,7 @@ TEST(Services, BadArgumentsAreErrorsOfTheScript) {
     }
 }
 
-TEST(Services, ValuesThatAreNotFiniteAreRefused) {
+TEST(Services, RejectNonFiniteValues) {
     for (const char* call :
          {"SetCartesianPositionSpeed(0/0)", "SetNextTarget({0/0,0,0,0,0})", "SetMotionTime(1/0)",
           "SetOverrideSpeed(0/0)", "SetJointSpeeds(0/0)", "SetInterpolationTime(-1)", "SetRestParameter(0/0)",

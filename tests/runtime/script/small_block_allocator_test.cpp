@@ -26,7 +26,7 @@ bool holds_its_mark(const Held& allocated) {
     return true;
 }
 
-TEST(SmallBlockAllocator, AreEachForOne) {
+TEST(SmallBlockAllocator, AllocatesDisjointAlignedBlocks) {
     SmallBlockAllocator blocks;
     std::vector<Held> allocated;
     std::mt19937 random(3);
@@ -49,7 +49,7 @@ TEST(SmallBlockAllocator, AreEachForOne) {
     for (const Held& one : allocated) EXPECT_TRUE(holds_its_mark(one));
 }
 
-TEST(SmallBlockAllocator, GoToTheNextOfTheirSize) {
+TEST(SmallBlockAllocator, ReusesBlockOfSameSizeClass) {
     SmallBlockAllocator blocks;
     void* const first = blocks.allocate_block(40);
     blocks.deallocate_block(first, 40);

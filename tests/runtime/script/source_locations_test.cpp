@@ -7,7 +7,7 @@
 namespace gsim::script::places_test {
 namespace {
 
-TEST(Places, UneditedLuaIsToldAsGCode) {
+TEST(SourceLocations, RecognizeUneditedLuaOfGCode) {
     const codegen::TextTranslation translation = codegen::translate_text("G0 X1\n\nG0 X5000\n", {});
     const codegen::ScriptOrigin origin = codegen::script_origin(translation.lua);
     EXPECT_TRUE(origin.unedited);
@@ -18,7 +18,7 @@ TEST(Places, UneditedLuaIsToldAsGCode) {
     expect_alarm(run_lua(edited), 4, {"6000"});  // the line of the Lua
 }
 
-TEST(Places, ErrorsOfLuaHaveTheirLine) {
+TEST(SourceLocations, LuaErrorsHaveLine) {
     expect_alarm(run_lua("\n\nlocal x = {} .. 5\n"), 3, {"concatenate"});
     expect_alarm(run_lua("\nG0{x=1\n\nG0{y=}\n"), 4, {});
     expect_alarm(run_lua("function f()\nerror(\"mine\")\nend\nf()\n"), 2, {"mine"});
@@ -28,14 +28,14 @@ TEST(Places, ErrorsOfLuaHaveTheirLine) {
     EXPECT_EQ(r.report.source.files.at(r.report.alarm->location.file), "part.lua");
 }
 
-TEST(Places, ATailCallIsOfALineThatExists) {
+TEST(SourceLocations, TailCallErrorHasValidLine) {
     const Outcome r = run_lua("local function f() return G0{x=9999} end\nf()\n");
     EXPECT_EQ(r.report.status, simulation::RunStatus::alarm);
     EXPECT_GE(r.line(), 1U);
     EXPECT_LE(r.line(), 2U);
 }
 
-TEST(Places, TheStepLimitIsOfTheLoopsLine) {
+TEST(SourceLocations, StepLimitErrorHasLineOfLoop) {
     Conditions conditions;
     conditions.options.limits.steps = 100'000;
     const Outcome r = run_lua("G0{x=1}\nG0{x=2}\nwhile true do\nend\n", conditions);
@@ -43,7 +43,7 @@ TEST(Places, TheStepLimitIsOfTheLoopsLine) {
     EXPECT_GE(r.line(), 3U);
 }
 
-TEST(Simulators, TwoInOneProcessDoNotMeet) {
+TEST(Simulators, RunIndependentlyInOneProcess) {
     simulation::Simulator first(built_in_machine(), {});
     simulation::Simulator second(built_in_machine(), {});
     Engine one(first, {});

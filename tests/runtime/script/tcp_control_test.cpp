@@ -27,7 +27,7 @@ Vector3d tip_after(const Outcome& r, std::size_t n, const Vector3d& tcp_mm = Vec
     return machine::make_kinematics(r.machine)->forward(r.moves.at(n).end) * tcp_mm;
 }
 
-TEST(TipControl, AtRotaryZeroItMeansTheSameAsG43) {
+TEST(ProgrammedTcpControl, EqualsG43AtRotaryZero) {
     const std::string moves = "G0 X10 Y20 Z90\nG1 X30 Y25 Z80 F600\nG2 X40 Y35 I10 J0\nM30\n";
     for (const std::string machine : {"mill-table-table", "mill-head-table"}) {
         const Outcome with = run("G43.4 H2\n" + moves, on(machine));
@@ -41,7 +41,7 @@ TEST(TipControl, AtRotaryZeroItMeansTheSameAsG43) {
     }
 }
 
-TEST(TipControl, ZonesAreWhereTheyAreWithG43) {
+TEST(ProgrammedTcpControl, KeepsZonesOfG43) {
     const std::string part = "G0 X10 Y20 Z90\nG22 X100 Y100 Z70 I-100 J-100 K0\nG1 Z60 F600\nM30\n";
     for (const std::string machine : {"mill-table-table", "mill-head-table"}) {
         const Outcome with = run("G43.4 H2\n" + part, on(machine));
@@ -60,7 +60,7 @@ TEST(TipControl, ZonesAreWhereTheyAreWithG43) {
     EXPECT_NEAR(z, 70 + 25, 1e-6);
 }
 
-TEST(Poses, WhereTheToolStandsIsNoMove) {
+TEST(PoseMoves, CurrentPoseTakesNoTime) {
     for (const auto planner : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         Conditions arm = on("arm6");
         arm.machine.controller.planner = planner;
@@ -71,7 +71,7 @@ TEST(Poses, WhereTheToolStandsIsNoMove) {
     }
 }
 
-TEST(TipControl, RotaryAxesLeaveTheTipWhereItIs) {
+TEST(ProgrammedTcpControl, RotaryAxesKeepTcpPosition) {
     const Outcome r =
         run("G0 X10 Y20 Z90\nG43.4 H2\nG0 A-30 C40\nG1 A-50 C-60 F1000\nM30\n", on("mill-table-table"));
     ASSERT_TRUE(r.completed()) << r.message();
@@ -84,7 +84,7 @@ TEST(TipControl, RotaryAxesLeaveTheTipWhereItIs) {
     EXPECT_EQ(r.moves[2].length_mm, 0);
 }
 
-TEST(TipControl, WorkOffsetsAndIncrementsAreOfTheTip) {
+TEST(ProgrammedTcpControl, WorkOffsetsAndIncrementsApplyToTcp) {
     const Outcome r = run("G43.4 H0\nG92 X0 Y0 Z0\nG1 B30 C20 F1000\nG91 X5 Y-3 Z-7\nG90 X0 Y0 Z0\nM30\n",
                           on("mill-head-table"));
     ASSERT_TRUE(r.completed()) << r.message();
@@ -95,7 +95,7 @@ TEST(TipControl, WorkOffsetsAndIncrementsAreOfTheTip) {
 }
 
 // As calibration finds machines: coordinates are square though the slides are not.
-TEST(TipControl, SlidesThatAreNotQuiteSquareMakeSquareParts) {
+TEST(ProgrammedTcpControl, SlightlySkewedSlidesMakeSquareParts) {
     Conditions crooked = on("mill-head-table");
     crooked.machine.axes.at(1).frame = machine::Frame{.roll_deg = -0.03, .yaw_deg = 0.02};
     const Outcome r =
@@ -113,7 +113,7 @@ TEST(TipControl, SlidesThatAreNotQuiteSquareMakeSquareParts) {
     expect_alarm(run("G43.4 H0\nG1 X1 F100\n", crooked), "X, Y and Z at right angles");
 }
 
-TEST(TipControl, G49EndsItAndPlacesOfTheAxesAreRefused) {
+TEST(ProgrammedTcpControl, EndsWithG49AndRejectsAxisPositions) {
     const Outcome r = run("G43.4 H1\nG1 B30 C20 F1000\nG49\nG53 G0 X1 Y2 Z300\nM30\n", on("mill-head-table"));
     ASSERT_TRUE(r.completed()) << r.message();
     EXPECT_NEAR(r.to(1, 'X'), 1, 1e-9);
@@ -123,7 +123,7 @@ TEST(TipControl, G49EndsItAndPlacesOfTheAxesAreRefused) {
     expect_alarm(run("G43.4 H1\nG1 X0 F100\n", on("arm6")), "X, Y and Z");
 }
 
-TEST(TipControl, TheOtherDialectHasIt) {
+TEST(ProgrammedTcpControl, SupportsRs274ngc) {
     Conditions ngc = on("mill-head-table");
     ngc.options.dialect = "rs274ngc";
     const Outcome r = run("T1 M6\nG43.4\nG1 B30 C20 F1000\nG49\nM2\n", ngc);
@@ -135,12 +135,12 @@ TEST(TipControl, TheOtherDialectHasIt) {
     EXPECT_LT((tip_after(r, 0, tool) - home).norm(), 1e-9);
 }
 
-TEST(TipControl, AWayOutOfRangeNamesTheAxisAndTheBlock) {
+TEST(ProgrammedTcpControl, ReportsAxisAndBlockOfPathOutOfRange) {
     expect_alarm(run("G0 X240\nG43.4 H0\nG1 X240 Y0 A0 C0 F1000\nG1 C180 F5000\n", on("mill-table-table")), 4,
                  {"axis Y", "past its limit"});
 }
 
-TEST(Poses, LinearMovesOfAnArmAreLinesInSpace) {
+TEST(PoseMoves, ArmFollowsLinesAndCirclesInSpace) {
     const Outcome r = run_lua(
         "F(6000)\nMoveJoint{x=500, y=100, z=200, pitch=150}\nMoveLinear{x=450, y=250, z=300, pitch=160, "
         "yaw=10}\n"
@@ -166,7 +166,7 @@ TEST(Poses, LinearMovesOfAnArmAreLinesInSpace) {
     }
 }
 
-TEST(Poses, AnUnreachableOneNamesItsBlock) {
+TEST(PoseMoves, ReportBlockOfUnreachablePose) {
     expect_alarm(run_lua("F(6000)\nMoveJoint{x=500, y=100, z=200, pitch=150}\nMoveLinear{x=5000, y=0, z=0}",
                          on("arm6")),
                  3, {"The tool cannot follow its path at X"});

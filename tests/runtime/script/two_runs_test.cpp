@@ -112,7 +112,7 @@ std::array<std::string, 2> both(const std::function<void(int)>& pause, const std
     return reports;
 }
 
-TEST(TwoRuns, GiveTheReportsThatEachGivesAlone) {
+TEST(ConcurrentRuns, GiveSameReportsAsAlone) {
     const std::string first = part_report(kParts[0], [] {});
     const std::string second = part_report(kParts[1], [] {});
     EXPECT_NE(first.find("\"collisions\": [\n"), std::string::npos);

@@ -27,21 +27,21 @@ std::optional<std::string> said_of_circle(double x, double y, double z,
     return monitor.warning({"part.nc"});
 }
 
-TEST(CentripetalMonitor, AnArcMayTakeAllThatItsAxesHave) {
+TEST(CentripetalMonitor, AcceptsArcAtAxisLimitAndWarnsAbove) {
     EXPECT_FALSE(said_of_circle(kAsked_mm_s2, kAsked_mm_s2, kAsked_mm_s2));
     EXPECT_THAT(said_of_circle(240, 300, 300).value_or(""), HasSubstr("250 mm/s2 of 240 in part.nc:7"));
     EXPECT_THAT(said_of_circle(300, 240, 300).value_or(""), HasSubstr("250 mm/s2 of 240"));
 }
 
-TEST(CentripetalMonitor, AxesAcrossThePlaneDoNotCount) {
+TEST(CentripetalMonitor, IgnoresAxesAcrossPlane) {
     EXPECT_FALSE(said_of_circle(300, 300, 1));
 }
 
-TEST(CentripetalMonitor, ACircleSlowsEachAxisDownAsMuchAsItSpeedsItUp) {
+TEST(CentripetalMonitor, WarnsIfDecelerationIsTooSmall) {
     EXPECT_THAT(said_of_circle(300, 300, 300, 200).value_or(""), HasSubstr("250 mm/s2 of 200"));
 }
 
-TEST(CentripetalMonitor, AnAxisAtAnAngleToThePlaneGivesItsShare) {
+TEST(CentripetalMonitor, InclinedAxisCountsByItsShare) {
     machine::Machine machine = af5();
     for (machine::Axis& axis : machine.axes) axis.max_acceleration = 1e6;
     machine.axes[2].max_acceleration = 200;  // of 250 sin(30 deg) = 125

@@ -38,7 +38,7 @@ Report run(const std::string& machine, double dwell_s = 0, bool turned = false) 
     return simulator.finish("part.nc");
 }
 
-TEST(ConfidenceIntervalMonitor, ASpreadOfAnAccelerationIsOneOfTheTime) {
+TEST(ConfidenceIntervalMonitor, SpreadOfAccelerationGivesSpreadOfTime) {
     const Report report = run(machine_text(100, 0));
     ASSERT_TRUE(report.times.interval);
     EXPECT_NEAR(report.cycle_time_s, 3.2, 1e-9);
@@ -48,32 +48,32 @@ TEST(ConfidenceIntervalMonitor, ASpreadOfAnAccelerationIsOneOfTheTime) {
     EXPECT_NEAR(std::log(report.times.interval->min_s / 3.2), -log_half_width, 0.01 * log_half_width);
 }
 
-TEST(ConfidenceIntervalMonitor, WhatTheFitLeftIsAddedInQuadrature) {
+TEST(ConfidenceIntervalMonitor, AddsResidualInQuadrature) {
     const Report report = run(machine_text(100, 1));
     ASSERT_TRUE(report.times.interval);
     const double log_half_width = kSpreads * std::hypot(0.1 * 0.2 / 3.2, 0.01);
     EXPECT_NEAR(std::log(report.times.interval->max_s / 3.2), log_half_width, 0.01 * log_half_width);
 }
 
-TEST(ConfidenceIntervalMonitor, ADwellIsSure) {
+TEST(ConfidenceIntervalMonitor, DwellHasNoUncertainty) {
     const Report report = run(machine_text(100, 0), 10);
     ASSERT_TRUE(report.times.interval);
     EXPECT_NEAR(report.times.interval->max_s - 13.2, kSpreads * 0.1 * 0.2, 5e-4);
 }
 
-TEST(ConfidenceIntervalMonitor, IsInTheReport) {
+TEST(ConfidenceIntervalMonitor, IsWrittenInReport) {
     const Report report = run(machine_text(100, 0));
     EXPECT_THAT(to_text(report), HasSubstr("cycle time  3.200 s  (0:00:03), 3.161 to 3.240 s (95 %)"));
     EXPECT_THAT(to_json(report), HasSubstr("\"cycle_time_95_s\": ["));
 }
 
-TEST(ConfidenceIntervalMonitor, SaysWhyThereIsNone) {
+TEST(ConfidenceIntervalMonitor, WarnsIfOverridesPreventInterval) {
     const Report report = run(machine_text(100, 0), 0, true);
     EXPECT_FALSE(report.times.interval);
     EXPECT_THAT(report.messages.warnings, testing::Contains(HasSubstr("no interval: overrides are changed")));
 }
 
-TEST(ConfidenceIntervalMonitor, AMachineThatIsNotCalibratedHasNone) {
+TEST(ConfidenceIntervalMonitor, UncalibratedMachineHasNoInterval) {
     std::string text = machine_text(100, 0);
     text.resize(text.find("[calibration]"));
     const Report report = run(text);

@@ -24,7 +24,7 @@ void draw(DxfWriter& writer, int moves) {
     writer.end(moves);
 }
 
-TEST(DxfWriter, TooManyPointsAreCutShort) {
+TEST(DxfWriter, TruncatesTooManyPoints) {
     for (const std::uint64_t max : {4U, 5U}) {
         StringStream stream;
         DxfWriter writer(stream.out(), af5(), max);
@@ -33,7 +33,7 @@ TEST(DxfWriter, TooManyPointsAreCutShort) {
     }
 }
 
-TEST(DxfWriter, EndsAsAWholeFile) {
+TEST(DxfWriter, WritesCompleteFile) {
     StringStream stream;
     DxfWriter writer(stream.out(), af5());
     draw(writer, 2);

@@ -18,13 +18,13 @@ motion::Segment crawl(double duration_s) {
     return segment;
 }
 
-TEST(EarlyBrakingMonitor, SaysNothingWhereNothingCrawls) {
+TEST(EarlyBrakingMonitor, IgnoresMovesWithoutEarlyBraking) {
     EarlyBrakingMonitor monitor;
     monitor.on_segment(arc(1, 0, 100, 100, 10, 0, 360), {.location = {0, 7}});
     EXPECT_FALSE(monitor.warning({"part.nc"}));
 }
 
-TEST(EarlyBrakingMonitor, TellsTheTimeAndTheWorstPlace) {
+TEST(EarlyBrakingMonitor, ReportsTotalTimeAndWorstBlock) {
     EarlyBrakingMonitor monitor;
     monitor.on_segment(crawl(1.5), {.location = {0, 7}});
     monitor.on_segment(crawl(6), {.location = {0, 9}});

@@ -62,7 +62,7 @@ void rapid(Simulator& simulator, double x, double z, std::uint32_t line) {
     simulator.moves().enqueue(move);
 }
 
-TEST(EffortMonitor, OneMoveIsItsClosedForm) {
+TEST(EffortMonitor, MoveMatchesClosedForm) {
     const auto simulator = simulator_of(make_machine());
     rapid(*simulator, 500, 0, 7);  // 0.25 s up, 0.75 s, 0.25 s down
     simulator->dwells().enqueue(1, {0, 8});
@@ -85,7 +85,7 @@ TEST(EffortMonitor, OneMoveIsItsClosedForm) {
     EXPECT_EQ(report.drives.efforts->jumps, 0U);
 }
 
-TEST(EffortMonitor, MoveThatIsTooHardIsNamedWithWhatWouldDo) {
+TEST(EffortMonitor, ReportsExcessWithPossibleAcceleration) {
     const auto simulator = simulator_of(make_machine());
     rapid(*simulator, 1, 0, 3);
     rapid(*simulator, 1, 100, 4);
@@ -104,7 +104,7 @@ TEST(EffortMonitor, MoveThatIsTooHardIsNamedWithWhatWouldDo) {
 
 // The share is what it says: with 0.85 of the acceleration the same move is within the limit, and with more
 // not.
-TEST(EffortMonitor, ShareThatIsToldIsEnough) {
+TEST(EffortMonitor, ReportedAccelerationShareIsSufficient) {
     for (const double share : {0.85, 0.86}) {
         machine::Machine machine = make_machine();
         machine.axes[0].max_acceleration *= share;
@@ -117,7 +117,7 @@ TEST(EffortMonitor, ShareThatIsToldIsEnough) {
     }
 }
 
-TEST(EffortMonitor, WeightThatIsTooMuchIsNoMatterOfAcceleration) {
+TEST(EffortMonitor, ReportsWeightAbovePeakAtAnyAcceleration) {
     machine::Machine machine = make_machine();
     machine.axes[1].drive.peak = 190;
     const auto simulator = simulator_of(machine);
@@ -128,7 +128,7 @@ TEST(EffortMonitor, WeightThatIsTooMuchIsNoMatterOfAcceleration) {
         "axis Z needs 236.1 N of 190 N; weight, friction and speed alone exceed it, with any acceleration");
 }
 
-TEST(EffortMonitor, MeanOfTheRunAgainstWhatTheMotorDoesWithoutEnd) {
+TEST(EffortMonitor, ReportsRmsAboveContinuousEffort) {
     machine::Machine machine = make_machine();
     machine.axes[0].drive.peak = 1000;
     const auto simulator = simulator_of(machine);
@@ -142,7 +142,7 @@ TEST(EffortMonitor, MeanOfTheRunAgainstWhatTheMotorDoesWithoutEnd) {
     EXPECT_THAT(to_json(report), HasSubstr("\"code\": \"motor-continuous\""));
 }
 
-TEST(EffortMonitor, CurveOfAMotor) {
+TEST(EffortMonitor, InterpolatesMotorCurve) {
     const machine::Drive drive{.peak = 90, .curve_speeds = {100, 200}, .curve_peaks = {100, 50}};
     EXPECT_EQ(motor_peak(drive, 0), 90);
     EXPECT_EQ(motor_peak(drive, 150), 75);
@@ -152,7 +152,7 @@ TEST(EffortMonitor, CurveOfAMotor) {
 }
 
 // The acceleration has no limit: the speed jumps from 0 to 0.5 m/s and back.
-TEST(EffortMonitor, JumpsOfSpeedAreImpulsesAndWork) {
+TEST(EffortMonitor, SpeedJumpsAreImpulsesAndWork) {
     machine::Machine machine = make_machine();
     machine.axes[0].max_acceleration = std::numeric_limits<double>::infinity();
     const auto simulator = simulator_of(machine);
@@ -167,7 +167,7 @@ TEST(EffortMonitor, JumpsOfSpeedAreImpulsesAndWork) {
     EXPECT_THAT(to_text(report), HasSubstr("jumps       2 in speed"));
 }
 
-TEST(EffortMonitor, EnergyOfEachProgram) {
+TEST(EffortMonitor, SumsEnergyOfEachProgram) {
     const auto simulator = simulator_of(make_machine());
     rapid(*simulator, 500, 0, 1);
     for (int i = 0; i < 2; ++i) {

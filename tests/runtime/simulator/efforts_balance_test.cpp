@@ -101,7 +101,7 @@ double potential_j(const machine::Machine& machine, const rrs::JointPos& q) {
     return energy;
 }
 
-TEST(EffortsBalance, OfRandomProgramsUnderEachController) {
+TEST(EnergyBalance, HoldsForRandomProgramsWithEachController) {
     std::uint64_t jumps = 0;
     for (std::size_t program = 0; program < kPrograms; ++program) {
         std::mt19937 random(static_cast<unsigned>(program));

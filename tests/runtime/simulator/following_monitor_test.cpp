@@ -58,7 +58,7 @@ FollowingReport following(Simulator& simulator) {
     return simulator.finish("part.nc").drives.following.value();
 }
 
-TEST(FollowingErrorMonitor, LineAtConstantSpeed) {
+TEST(FollowingErrorMonitor, LineMatchesClosedForm) {
     machine::Machine machine = slides();
     machine.axes[0].servo->velocity_feed_forward = 0.4;
     Simulator simulator(machine, {});
@@ -79,13 +79,13 @@ TEST(FollowingErrorMonitor, LineAtConstantSpeed) {
     EXPECT_NEAR(report.in_position_s.value(), std::log(steady_mm / 0.01) / kGain_1_s, 1e-6);
 }
 
-TEST(FollowingErrorMonitor, BackwardsTheErrorIsBelowZero) {
+TEST(FollowingErrorMonitor, BackwardMoveHasNegativeError) {
     Simulator simulator(slides(), {});
     feed(simulator, -200, 0, 7);
     EXPECT_NEAR(following(simulator).axes[0].peak, -kFed_mm_s / kGain_1_s, 1e-9);
 }
 
-TEST(FollowingErrorMonitor, FullFeedForwardFollows) {
+TEST(FollowingErrorMonitor, FullFeedForwardHasNoError) {
     machine::Machine machine = slides();
     for (machine::Axis& axis : machine.axes) axis.servo->velocity_feed_forward = 1;
     Simulator simulator(machine, {});
@@ -98,7 +98,7 @@ TEST(FollowingErrorMonitor, FullFeedForwardFollows) {
 }
 
 // x is late by v/Kx, y by v/Ky: the TCP runs off the line by half of their difference.
-TEST(FollowingErrorMonitor, UnequalGainsOnALineOf45Degrees) {
+TEST(FollowingErrorMonitor, UnequalGainsGiveContourErrorOnDiagonal) {
     Simulator simulator(slides(40, 25), {});
     feed(simulator, 300, 300, 3);
     const FollowingReport report = following(simulator);
@@ -109,7 +109,7 @@ TEST(FollowingErrorMonitor, UnequalGainsOnALineOf45Degrees) {
     EXPECT_EQ(report.feed.location.line, 3U);
 }
 
-TEST(FollowingErrorMonitor, DelayOfOneAxisIsAContourErrorOfAllIsNone) {
+TEST(FollowingErrorMonitor, DelayOfOneAxisGivesContourErrorAndOfAllNone) {
     for (const bool of_all : {false, true}) {
         machine::Machine machine = slides();
         machine.axes[0].servo->command_delay_s = 0.004;
@@ -125,7 +125,7 @@ TEST(FollowingErrorMonitor, DelayOfOneAxisIsAContourErrorOfAllIsNone) {
 
 // After a corner of 90 degrees x = -v/K exp(-K t) and y = v t - v/K (1 - exp(-K t)). The TCP is equally far
 // from both lines at t = 1/K, and nowhere farther from the nearer one: by v / (K e).
-TEST(FollowingErrorMonitor, CornerIsRoundedByTheLag) {
+TEST(FollowingErrorMonitor, LagRoundsCorner) {
     Simulator simulator(slides(), {});
     feed(simulator, 200, 0, 1);
     feed(simulator, 200, 200, 2);
@@ -139,7 +139,7 @@ TEST(FollowingErrorMonitor, CornerIsRoundedByTheLag) {
 
 // A parabola in a corner of 90 degrees passes it at D, and is D / sqrt(2) from either line there. A machine
 // that follows it exactly is on the path of the set points, and as far from that of the program.
-TEST(FollowingErrorMonitor, CornerThatTheControllerRoundsIsPartOfTheWayFromTheProgramAlone) {
+TEST(FollowingErrorMonitor, BlendCountsOnlyInErrorFromProgram) {
     machine::Machine machine = slides();
     machine.controller = machine::built_in_controller("blend").value();
     machine.controller.position_loop.gain_1_s = 0;
@@ -161,7 +161,7 @@ TEST(FollowingErrorMonitor, CornerThatTheControllerRoundsIsPartOfTheWayFromThePr
 }
 
 // Corners of rapid moves count by themselves.
-TEST(FollowingErrorMonitor, RapidMovesAreToldApart) {
+TEST(FollowingErrorMonitor, ReportsRapidMovesSeparately) {
     machine::Machine machine = slides();
     for (machine::Axis& axis : machine.axes) axis.max_speed = 3 * kFed_mm_s;
     Simulator simulator(machine, {});
@@ -193,7 +193,7 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
 }
 
 // A circle comes out smaller by sqrt(1 + (w/K)^2). On the path into it the TCP is nowhere farther off.
-TEST(FollowingErrorMonitor, CircleShrinks) {
+TEST(FollowingErrorMonitor, CircleShrinksByClosedForm) {
     constexpr double kRadius_mm = 25;
     Simulator simulator(slides(), {});
     StringStream stream;
@@ -225,7 +225,7 @@ TEST(FollowingErrorMonitor, CircleShrinks) {
 }
 
 // A move of thousands of turns takes no longer than its steps, and a very slow one needs as few as any.
-TEST(FollowingErrorMonitor, EndlessTurnsAndVerySlowMovesEnd) {
+TEST(FollowingErrorMonitor, HandlesThousandsOfTurnsAndVerySlowMoves) {
     machine::Machine machine = slides();
     machine.controller = machine::built_in_controller("blend").value();
     Simulator simulator(machine, {});
@@ -243,7 +243,7 @@ TEST(FollowingErrorMonitor, EndlessTurnsAndVerySlowMovesEnd) {
 }
 
 // The gain of the controller is that of axes without one of their own.
-TEST(FollowingErrorMonitor, GainOfTheControllerIsThatOfTheAxesWithoutOne) {
+TEST(FollowingErrorMonitor, UsesControllerGainForAxesWithoutGain) {
     machine::Machine machine = slides();
     machine.axes[0].servo = machine::Servo{};
     machine.axes[1].servo.reset();
@@ -256,7 +256,7 @@ TEST(FollowingErrorMonitor, GainOfTheControllerIsThatOfTheAxesWithoutOne) {
     EXPECT_EQ(report.axes[2].gain_1_s, kGain_1_s);
 }
 
-TEST(FollowingErrorMonitor, MachineWithoutServosTellsNothing) {
+TEST(FollowingErrorMonitor, MachineWithoutServosHasNoReport) {
     machine::Machine machine = slides();
     for (machine::Axis& axis : machine.axes) axis.servo.reset();
     machine.controller.position_loop.gain_1_s = 20;  // for exact stops alone
@@ -269,7 +269,7 @@ TEST(FollowingErrorMonitor, MachineWithoutServosTellsNothing) {
     EXPECT_THAT(to_text(report), Not(HasSubstr("following")));
 }
 
-TEST(FollowingErrorMonitor, ReportTellsOfIt) {
+TEST(FollowingErrorMonitor, IsWrittenInReport) {
     Simulator simulator(slides(), {});
     simulator.program().files().add("part.nc");
     feed(simulator, 200, 0, 1);
@@ -284,7 +284,7 @@ TEST(FollowingErrorMonitor, ReportTellsOfIt) {
                                 "from the programmed path\nin position 0.1936 s after the end\n"));
 }
 
-TEST(FollowingErrorMonitor, PlotShowsIt) {
+TEST(FollowingErrorMonitor, IsDrawnInPlot) {
     Simulator simulator(slides(), {});
     PlotData data(simulator.machine());
     data.add_following(simulator.monitors().following_setup().value());

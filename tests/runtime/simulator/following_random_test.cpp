@@ -31,7 +31,7 @@ machine::Machine random_servos(std::mt19937& random, std::size_t program) {
 }
 
 /// Steps of half the time change no relevant value, neither of an axis nor of the TCP.
-TEST(FollowingErrorMonitor, HalfTheStepChangesNothing) {
+TEST(FollowingErrorMonitor, HalfStepGivesSameResults) {
     constexpr std::size_t kPrograms = 10;
     double max = 0;
     for (std::size_t program = 0; program < kPrograms; ++program) {
@@ -60,7 +60,7 @@ TEST(FollowingErrorMonitor, HalfTheStepChangesNothing) {
 
 // The TCP is no farther from the program than the sum of two distances: from the path of the set points, and
 // of this path from the program.
-TEST(FollowingErrorMonitor, FromTheProgramItIsNoFartherThanBothTogether) {
+TEST(FollowingErrorMonitor, ErrorFromProgramIsAtMostContourErrorPlusBlend) {
     constexpr std::array kModels{"blend", "linuxcnc-2.9"};
     double rounded = 0;
     for (std::size_t program = 0; program < 16; ++program) {
@@ -123,7 +123,7 @@ struct Witness : RunOutput {
     double set_speed = 0, error = 0;
 };
 
-TEST(FollowingErrorMonitor, RandomProgramsAgainstFineSteps) {
+TEST(FollowingErrorMonitor, RandomProgramsMatchFineSteps) {
     constexpr std::size_t kWitnessed = 10 / kFewerBy;
     for (std::size_t program = 0; program < kWitnessed; ++program) {
         std::mt19937 random(static_cast<unsigned>(100 + program));

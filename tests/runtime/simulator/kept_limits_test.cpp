@@ -54,7 +54,7 @@ struct Samples : RunOutput {
     double moves_s = 0;
 };
 
-class KeptLimits : public testing::TestWithParam<Excess> {
+class JointLimitsOfController : public testing::TestWithParam<Excess> {
   protected:
     static machine::Machine make_machine(std::mt19937& random) {
         machine::Machine machine = random_machine(random, af5());
@@ -109,7 +109,7 @@ void expect_sums(const Samples& samples, const Report& report, double standstill
     EXPECT_GE(samples.moves_s, report.cycle_time_s - kMoves * standstill_s - rounding_s);
 }
 
-TEST_P(KeptLimits, AtEachInstantAndOverWindows) {
+TEST_P(JointLimitsOfController, HoldAtEachInstantAndOverWindows) {
     for (unsigned seed = 0; seed < kPrograms; ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
@@ -126,7 +126,7 @@ TEST_P(KeptLimits, AtEachInstantAndOverWindows) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Controllers, KeptLimits,
+    Controllers, JointLimitsOfController,
     testing::Values(Excess{"exact-stop", 1, 0, 0, 1, false}, Excess{"ab9", 1, 0.01, 0, 1.866, true},
                     Excess{"blend", 1, 0.002, 0, 1.866, true}, Excess{"linuxcnc-2.9", 2, 0, 0, 2, true},
                     Excess{"grbl-1.1", 1, 0, 0.01, 5, true}, Excess{"grblhal", 1, 0, 0.01, 5, true}),

@@ -9,7 +9,7 @@ namespace {
 
 using motion::LimitKind;
 
-TEST(LimitName, AxesAreCalledByTheirLettersAndRotaryOnesSo) {
+TEST(LimitName, NamesLinearAndRotaryAxesByLetter) {
     const machine::Machine machine = af5();
     EXPECT_EQ(describe({LimitKind::joint_speed, 0}, machine), "joint X speed");
     EXPECT_EQ(describe({LimitKind::joint_speed, 3}, machine), "rotary B speed");
@@ -17,7 +17,7 @@ TEST(LimitName, AxesAreCalledByTheirLettersAndRotaryOnesSo) {
     EXPECT_EQ(describe({LimitKind::acceleration, 4}, machine), "rotary C acceleration");
 }
 
-TEST(LimitName, LimitsOfThePath) {
+TEST(LimitName, NamesLimitsOfPath) {
     const machine::Machine machine = af5();
     EXPECT_EQ(describe({LimitKind::feed, -1}, machine), "feed");
     EXPECT_EQ(describe({LimitKind::path_speed, -1}, machine), "contour speed");
@@ -30,7 +30,7 @@ TEST(LimitName, LimitsOfThePath) {
     EXPECT_EQ(describe({LimitKind::time, -1}, machine), "time");
 }
 
-TEST(LimitName, JointsThatTheMachineDoesNotHave) {
+TEST(LimitName, OmitsLetterOfUnknownJoint) {
     const machine::Machine machine = af5();
     EXPECT_EQ(describe({LimitKind::joint_speed, -1}, machine), "joint speed");
     EXPECT_EQ(describe({LimitKind::acceleration, 100}, machine), "joint acceleration");

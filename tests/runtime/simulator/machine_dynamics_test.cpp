@@ -34,13 +34,13 @@ Dynamics::Motion motion(std::initializer_list<double> q, std::initializer_list<d
     return {joints(q), joints(v), joints(a), dynamics::motion_directions(joints(v))};
 }
 
-TEST(MachineDynamics, NoneWithoutTheTable) {
+TEST(MachineDynamics, IsNullWithoutTable) {
     const auto machine = machine::read_machine(
         "[machine]\nname = \"m\"\n[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndh = {}\n", "m");
     EXPECT_EQ(make_dynamics(machine.value()).value(), nullptr);
 }
 
-TEST(MachineDynamics, SampleGantryIsItsFigures) {
+TEST(MachineDynamics, SampleGantryMatchesClosedForm) {
     const auto machine = machine::load_machine(tests::source_path("samples/machines/gantry-dynamics.toml"));
     ASSERT_TRUE(machine) << machine.error().message;
     const auto dynamics = make_dynamics(*machine).value();
@@ -54,7 +54,7 @@ TEST(MachineDynamics, SampleGantryIsItsFigures) {
 
 // A table that slides under the tool and turns: values give the tool's motion against the work, so the table
 // moves in the opposite direction, with the same mass.
-TEST(MachineDynamics, TableUnderTheTool) {
+TEST(MachineDynamics, MovingTableMatchesClosedForm) {
     const auto dynamics = dynamics_of(R"([machine]
 name = "m"
 [dynamics]
@@ -106,7 +106,7 @@ mass_kg = 8
     EXPECT_NEAR(efforts[2], 8 * (1 + kG), 1e-9);
 }
 
-TEST(MachineDynamics, OpenMeshIsNamed) {
+TEST(MachineDynamics, ReportsOpenMeshByName) {
     const auto machine =
         machine::read_machine(R"([machine]
 name = "m"

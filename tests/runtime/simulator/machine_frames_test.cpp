@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Machines, MachineFrames, testing::Values("af5", "mill-h
                              return name;
                          });
 
-TEST_P(MachineFrames, AnotherToolReachesTargetsWithItsOwnTip) {
+TEST_P(MachineFrames, ChangedToolReachesTargetsWithItsTcp) {
     Posed robot(GetParam());
     robot.start();
     const JointPos expected_value = other_joints(robot);
@@ -80,7 +80,7 @@ TEST_P(MachineFrames, AnotherToolReachesTargetsWithItsOwnTip) {
 
 // A work frame that no axes carry stays in the world: the tool in the world, by the displaced chain, is at
 // the target. A work frame that axes carry moves with the machine, and its joints do not change.
-TEST_P(MachineFrames, AMovedBaseReachesTargetsFromWhereItStands) {
+TEST_P(MachineFrames, MovedBaseReachesTargets) {
     Posed robot(GetParam());
     robot.start();
     const bool work_is_moved = !chain(robot).work_side().links.empty();
@@ -102,7 +102,7 @@ TEST_P(MachineFrames, AMovedBaseReachesTargetsFromWhereItStands) {
 }
 
 // Both at once, and a fixture as object frame: one chain of transforms.
-TEST(MachineFrames, BaseToolAndFixtureAreOneChain) {
+TEST(MachineFrames, BaseToolAndFixtureFormOneChain) {
     Posed robot("arm6");
     robot.start();
     ASSERT_EQ(robot.planner.SelectWorkFrames("tool", "fixture 1"), Status::RRS_SUCCESS);
@@ -123,7 +123,7 @@ TEST(MachineFrames, BaseToolAndFixtureAreOneChain) {
 }
 
 // Frames attached to the base move along: seen from the machine they are unchanged.
-TEST(MachineFrames, TargetsInTheFrameOfTheBaseGoAlong) {
+TEST(MachineFrames, TargetsInBaseFrameMoveWithBase) {
     Posed robot("arm6");
     robot.start();
     ASSERT_EQ(robot.planner.SelectWorkFrames("tool", "base"), Status::RRS_SUCCESS);
@@ -132,7 +132,7 @@ TEST(MachineFrames, TargetsInTheFrameOfTheBaseGoAlong) {
     EXPECT_TRUE(robot.step().pose.isApprox(before, 1e-9));
 }
 
-TEST(MachineFrames, WhatWaitsIsDrivenAndToldAsItWasPlanned) {
+TEST(MachineFrames, PendingMotionKeepsPlannedFrames) {
     Posed robot("af5");
     robot.start();
     const CartPos current = robot.setup.kinematics->forward(robot.planner.position());
@@ -154,7 +154,7 @@ TEST(MachineFrames, WhatWaitsIsDrivenAndToldAsItWasPlanned) {
     EXPECT_TRUE(step.pose.isApprox(moved, 1e-9));
 }
 
-TEST(MachineFrames, OthersOfTheMachineAndWhatIsNoPoseAreRefused) {
+TEST(MachineFrames, RejectOtherMachineFramesAndInvalidPoses) {
     Posed robot("af5");
     robot.start();
     for (const char* name : {"X", "world", "work"}) {
@@ -171,7 +171,7 @@ TEST(MachineFrames, OthersOfTheMachineAndWhatIsNoPoseAreRefused) {
     EXPECT_TRUE(pose.isApprox(robot.setup.kinematics->forward(robot.planner.position()), 1e-12));
 }
 
-TEST(MachineFrames, StayAsTheyAreWhileAConveyorIsTracked) {
+TEST(MachineFrames, RejectChangeDuringConveyorTracking) {
     Posed robot("af5");
     robot.start();
     ASSERT_EQ(robot.planner.DefineConveyor(1, Vector3d::UnitX(), 10), Status::RRS_SUCCESS);
@@ -181,7 +181,7 @@ TEST(MachineFrames, StayAsTheyAreWhileAConveyorIsTracked) {
 }
 
 // A stop would leave a part of the motion, or all, that was planned before for the time after.
-TEST(MachineFrames, AreNotChangedAmongStopsOfAMotion) {
+TEST(MachineFrames, RejectChangeWhileStoppedAndStopAfterChange) {
     Posed robot("af5");
     robot.start();
     CartPos target = robot.step().pose;
@@ -203,7 +203,7 @@ TEST(MachineFrames, AreNotChangedAmongStopsOfAMotion) {
 
 // A conveyor runs on its path in the world, wherever the machine is. If the machine is turned by 90 degrees
 // about the vertical, it follows a belt along the world's X with its other slide.
-TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
+TEST(MachineFrames, FollowConveyorFromMovedBase) {
     Posed robot("af5");
     robot.start();
     const CartPos turned = pose_from_rpy({.roll_rad = M_PI / 2});
@@ -222,7 +222,7 @@ TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
 }
 
 // Under TCP control the changed TCP stays at its position while the head turns.
-TEST(MachineFrames, TipControlIsOfTheChangedTip) {
+TEST(MachineFrames, TcpControlUsesChangedTcp) {
     const machine::Machine machine = sample("af5");
     Simulator simulator(machine, {});
     CellMonitor cell(cell::read_cell(kFrames, "frames.toml", machine).value(), machine);

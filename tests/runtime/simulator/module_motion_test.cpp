@@ -74,7 +74,7 @@ class SmallModule : public testing::TestWithParam<HostProcess> {
 };
 
 // The module moves at the programmed speed from the first instant to the last.
-TEST_P(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
+TEST_P(SmallModule, MovesTakeTimeOfModule) {
     simulator.moves().enqueue(line_to(300, 400));  // 500 mm at 100 mm/s
     simulator.dwells().enqueue(2.5, {});
     simulator.moves().enqueue(line_to(300, 100, MoveKind::rapid));  // 300 mm at the machine's rapid speed
@@ -94,7 +94,7 @@ TEST_P(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
 
 // The targets are more than the module's queue holds; the module does not report to which target a step
 // belongs.
-TEST_P(SmallModule, EachMoveGetsItsOwnSteps) {
+TEST_P(SmallModule, AssignsStepsToTheirMoves) {
     constexpr int kMoves = 50;
     for (int i = 1; i <= kMoves; ++i) ASSERT_TRUE(simulator.moves().enqueue(line_to(10.0 * i, 0)));
     simulator.finish("p");
@@ -107,7 +107,7 @@ TEST_P(SmallModule, EachMoveGetsItsOwnSteps) {
     }
 }
 
-TEST_P(SmallModule, MissingServiceEndsTheRunWithItsName) {
+TEST_P(SmallModule, ReportsMissingServiceByName) {
     ArcMove arc;
     arc.target = AxisVector::Zero(5);
     arc.center_mm[0] = 10;
@@ -118,7 +118,7 @@ TEST_P(SmallModule, MissingServiceEndsTheRunWithItsName) {
               "small_module.so does not support the service SetNextArcTarget.");
 }
 
-TEST_P(SmallModule, PathModesItLacksAreAWarning) {
+TEST_P(SmallModule, WarnsAboutMissingPathModes) {
     simulator.program().settings().set_path_mode(rrs::PathMode::continuous, 0, 0);
     simulator.moves().enqueue(line_to(10, 0));
     const Report report = simulator.finish("p");
@@ -129,14 +129,14 @@ TEST_P(SmallModule, PathModesItLacksAreAWarning) {
 
 INSTANTIATE_TEST_SUITE_P(Places, SmallModule, rrs::both_places(), rrs::place_name);
 
-class Modules : public testing::TestWithParam<HostProcess> {
+class ControllerModules : public testing::TestWithParam<HostProcess> {
   protected:
     static rrs::RcsModule test_module(const std::string& name) {
         return module_motion_test::test_module(GetParam(), name);
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Places, Modules, rrs::both_places(), rrs::place_name);
+INSTANTIATE_TEST_SUITE_P(Places, ControllerModules, rrs::both_places(), rrs::place_name);
 
 std::string to_alarm(rrs::RcsModule module, RunLimits limits = {}) {
     Simulator simulator(fast_machine(), limits, std::move(module));
@@ -145,7 +145,7 @@ std::string to_alarm(rrs::RcsModule module, RunLimits limits = {}) {
     return simulator.outcome().alarm() ? simulator.outcome().alarm()->message : "";
 }
 
-TEST_P(Modules, FaultsEndTheRunAndNameModuleAndService) {
+TEST_P(ControllerModules, ReportErrorsWithModuleAndService) {
     EXPECT_THAT(
         to_alarm(test_module("nan_answer")),
         StartsWith("The controller module nan_answer.so responded to GetNextStep with the value nan"));
@@ -160,7 +160,7 @@ TEST_P(Modules, FaultsEndTheRunAndNameModuleAndService) {
 }
 
 // Motion before the crash is in the report, and the alarm is at the block that was read last.
-TEST(ModuleProcess, ACrashEndsTheRunWithWhatWasMovedBefore) {
+TEST(ModuleProcess, CrashKeepsMotionBeforeIt) {
     Simulator simulator(fast_machine(), {}, test_module(HostProcess::separate_process, "crashes"));
     MoveList list;
     simulator.add_output(list);
@@ -181,7 +181,7 @@ TEST(ModuleProcess, ACrashEndsTheRunWithWhatWasMovedBefore) {
     EXPECT_GE(list.moves.size(), 5U);
 }
 
-TEST(ModuleProcess, WhatTheModuleSpendsIsTimeOfTheRun) {
+TEST(ModuleProcess, CpuTimeOfModuleCountsForRun) {
     os::CpuLimit cpu(0.5);
     Simulator simulator(fast_machine(), {.cpu = &cpu},
                         test_module(HostProcess::separate_process, "spends_time"));
@@ -193,7 +193,7 @@ TEST(ModuleProcess, WhatTheModuleSpendsIsTimeOfTheRun) {
 }
 
 // Its targets lie within the ranges; halfway X is 10 m farther.
-TEST_P(Modules, AStepPastARangeIsAViolation) {
+TEST_P(ControllerModules, StepPastRangeIsViolation) {
     Simulator simulator(fast_machine(), {}, test_module("overshoots"));
     LineMove move = line_to(10, 0);
     move.location.line = 7;
@@ -212,7 +212,7 @@ TEST_P(Modules, AStepPastARangeIsAViolation) {
     EXPECT_LT(violation.t_s, report.cycle_time_s);
 }
 
-TEST_P(Modules, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
+TEST_P(ControllerModules, StepPastRangeIsAlarmWithStopAtFirst) {
     Simulator simulator(fast_machine(), {.stop_at_first = true}, test_module("overshoots"));
     bool continues = true;
     for (int i = 1; i <= 50 && continues; ++i) continues = simulator.moves().enqueue(line_to(10.0 * i, 0));
@@ -224,7 +224,7 @@ TEST_P(Modules, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
 }
 
 // This module has no ranges and moves anywhere.
-TEST_P(Modules, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
+TEST_P(ControllerModules, TargetPastRangeIsFoundIfModuleIgnoresRanges) {
     const double excess_mm = fast_machine().axes[0].max + 10;
     Simulator stops(fast_machine(), {.stop_at_first = true}, test_module("small_module"));
     EXPECT_FALSE(stops.moves().enqueue(line_to(excess_mm, 0)));
@@ -236,14 +236,14 @@ TEST_P(Modules, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
     EXPECT_EQ(report.violations.count, 1U) << "the target says it, so that its steps need not";
 }
 
-TEST_P(Modules, RapidsNeedTheirService) {
+TEST_P(ControllerModules, RapidsNeedServiceSetRapid) {
     Simulator simulator(fast_machine(), {}, test_module("no_rapid"));
     EXPECT_TRUE(simulator.moves().enqueue(line_to(10, 0)));
     EXPECT_FALSE(simulator.moves().enqueue(line_to(0, 0, MoveKind::rapid)));
     EXPECT_EQ(simulator.outcome().alarm()->message, "no_rapid.so does not support the service SetRapid.");
 }
 
-TEST_P(Modules, LimitOfMachineTimeHolds) {
+TEST_P(ControllerModules, MachineTimeLimitHolds) {
     Simulator simulator(fast_machine(), {.max_time_s = 3}, test_module("small_module"));
     simulator.moves().enqueue(line_to(500, 0));
     const Report report = simulator.finish("p");
@@ -272,7 +272,7 @@ void put_program(Simulator& simulator) {
     simulator.events().add("m", "08", {});
 }
 
-TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
+TEST_P(DefaultModule, ReportMatchesInProcessPlannerWithinSteps) {
     machine::Machine machine = af5();
     const auto& [kind, location] = GetParam();
     machine.controller.planner = kind;

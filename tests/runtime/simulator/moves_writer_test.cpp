@@ -37,7 +37,7 @@ RecordedMove move(MoveKind kind) {
     return move;
 }
 
-TEST_F(MovesWriterTest, Line) {
+TEST_F(MovesWriterTest, WritesLine) {
     EXPECT_EQ(written(move(MoveKind::linear)),
               R"({"n":3,"file":"part.nc","line":12,"kind":"linear",)"
               R"("to":{"X":100,"Y":0,"Z":0.333333333,"B":90,"C":0},"feed":6350,"start_s":1.5,"end_s":4,)"
@@ -45,7 +45,7 @@ TEST_F(MovesWriterTest, Line) {
               "\n");
 }
 
-TEST_F(MovesWriterTest, ARoundedCornerHasItsDeviation) {
+TEST_F(MovesWriterTest, WritesDeviationOfRoundedCorner) {
     RecordedMove recorded = move(MoveKind::linear);
     recorded.deviation_mm = 0.0125;
     EXPECT_EQ(text::parse_json<nlohmann::json>(written(recorded))["deviation_mm"], 0.0125);
@@ -59,13 +59,13 @@ TEST_F(MovesWriterTest, RapidAndDwellHaveNoFeed) {
     }
 }
 
-TEST_F(MovesWriterTest, NothingLimitsADwell) {
+TEST_F(MovesWriterTest, DwellHasNoLimit) {
     RecordedMove recorded = move(MoveKind::dwell);
     recorded.limited_by.reset();
     EXPECT_EQ(text::parse_json<nlohmann::json>(written(recorded))["limited_by"], nullptr);
 }
 
-TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
+TEST_F(MovesWriterTest, ArcHasCentreInMachineCoordinates) {
     machine.axes[1].zero = 50;
     RecordedMove recorded = move(MoveKind::arc_cw);
     recorded.info.normal = plane_normal(Plane::zx);
@@ -81,7 +81,7 @@ TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
     EXPECT_EQ(json["turns"], 2);
 }
 
-TEST_F(MovesWriterTest, AnObliqueArcHasItsNormalAndNoPlane) {
+TEST_F(MovesWriterTest, ObliqueArcHasNormalAndNoPlane) {
     RecordedMove recorded = move(MoveKind::arc_ccw);
     recorded.info.normal = {-0.6, 0.8, 0};
     const auto json = text::parse_json<nlohmann::json>(written(recorded));
@@ -89,7 +89,7 @@ TEST_F(MovesWriterTest, AnObliqueArcHasItsNormalAndNoPlane) {
     EXPECT_EQ(json["normal"], (nlohmann::json{{"X", -0.6}, {"Y", 0.8}, {"Z", 0}}));
 }
 
-TEST(ArcNormal, IsToldWithItsGreatestPartAboveZero) {
+TEST(ArcNormal, HasPositiveLargestComponent) {
     MoveInfo info;
     set_axis(info, Eigen::Vector3d(0, 0, -3));
     EXPECT_EQ(info.kind, MoveKind::arc_cw);
@@ -105,7 +105,7 @@ TEST(ArcNormal, IsToldWithItsGreatestPartAboveZero) {
     EXPECT_EQ(main_plane(Eigen::Vector3d(0, 1, 1e-6).normalized()), std::nullopt);
 }
 
-TEST_F(MovesWriterTest, FilesThatAppearLaterAndNamesWithOddCharacters) {
+TEST_F(MovesWriterTest, AcceptsLateFilesAndSpecialCharacters) {
     RecordedMove recorded = move(MoveKind::linear);
     recorded.info.location.file = 1;
     files.push_back("a\"\\\n\xff\xc3\xbc.nc");

@@ -71,7 +71,7 @@ ArcMove circle(double radius_mm, double feed_mm_min) {
             .location = {}};
 }
 
-TEST(PathBound, ALineFromRestToRestTakesItsBound) {
+TEST(PathBound, LineBetweenStandstillsTakesItsBound) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> mm(-300, 300), decades(0, 5);
     const machine::Machine machine = wide_af5();
@@ -93,7 +93,7 @@ TEST(PathBound, CornersCostNothing) {
     EXPECT_GT(times.cycle_s, times.bound_s);
 }
 
-TEST(PathBound, AControllerThatStopsNowhereOnALineTakesTheBound) {
+TEST(PathBound, ContinuousControllerTakesBoundOnLine) {
     const auto machine = looking_ahead(af5(), rrs::CornerRule::velocity_step);
     const Times times = run(machine, [](Simulator& s) {
         s.program().settings().set_path_mode(rrs::PathMode::continuous, 0, 0);
@@ -102,7 +102,7 @@ TEST(PathBound, AControllerThatStopsNowhereOnALineTakesTheBound) {
     EXPECT_NEAR(times.bound_s, times.cycle_s, 1e-9);
 }
 
-TEST(PathBound, ADwellTakesItsTimeAtRest) {
+TEST(PathBound, DwellAddsItsTimeAtStandstill) {
     const Times times = run(af5(), [](Simulator& s) {
         s.moves().enqueue(to(at(100, 0), 6000));
         s.dwells().enqueue(2.5, {});
@@ -112,7 +112,7 @@ TEST(PathBound, ADwellTakesItsTimeAtRest) {
     EXPECT_NEAR(times.bound_s, times.cycle_s, 1e-9);
 }
 
-TEST(PathBound, WhatAControllerRestsByItselfIsNotTheProgramsTime) {
+TEST(PathBound, ExcludesStandstillOfController) {
     machine::Machine machine = looking_ahead(af5(), rrs::CornerRule::stop);
     machine.controller.position_loop.settle_s = 3;
     const Times times = run(machine, [](Simulator& s) {
@@ -123,7 +123,7 @@ TEST(PathBound, WhatAControllerRestsByItselfIsNotTheProgramsTime) {
     EXPECT_NEAR(times.cycle_s, times.bound_s + 3, 1e-9);
 }
 
-TEST(PathBound, RotaryAxesAloneGoByDegrees) {
+TEST(PathBound, RotaryMovesCountInDegrees) {
     const Times times = run(af5(), [](Simulator& s) { s.moves().enqueue(to(at(0, 0, 0, 90, 0), 600)); });
     EXPECT_NEAR(times.bound_s, trapezoid_s(90, 10, 20), 1e-9);
     machine::Machine slow = af5();
@@ -132,7 +132,7 @@ TEST(PathBound, RotaryAxesAloneGoByDegrees) {
     EXPECT_NEAR(same.bound_s, times.bound_s, 1e-9);
 }
 
-TEST(PathBound, AProgrammedTimeIsNoLimit) {
+TEST(PathBound, IgnoresProgrammedTime) {
     LineMove move = to(at(100, 0), 0);
     move.feed = {0, 0, 10.0};
     const Times times = run(af5(), [&](Simulator& s) { s.moves().enqueue(move); });
@@ -141,7 +141,7 @@ TEST(PathBound, AProgrammedTimeIsNoLimit) {
 }
 
 // 10 mm and 90 deg: the rotary axis, which moves by its own law, takes 4.24 s.
-TEST(PathBound, AJointWithALawOfItsOwnDoesNotCount) {
+TEST(PathBound, IgnoresFollowerJoints) {
     machine::Machine machine = af5();
     machine.controller.coordination.independent_ramps = true;
     const Times times = run(machine, [](Simulator& s) { s.moves().enqueue(to(at(10, 0, 0, 90), 6000)); });
@@ -149,7 +149,7 @@ TEST(PathBound, AJointWithALawOfItsOwnDoesNotCount) {
     EXPECT_GT(times.cycle_s, 4);
 }
 
-TEST(PathBound, JointsInProportionCount) {
+TEST(PathBound, ProportionalJointsCount) {
     for (const auto& machine : {af5(), looking_ahead(af5(), rrs::CornerRule::stop)}) {
         const Times times = run(machine, [](Simulator& s) { s.moves().enqueue(to(at(10, 0, 0, 90), 6000)); });
         EXPECT_NEAR(times.bound_s, trapezoid_s(90, 90, 20), 1e-9);
@@ -158,7 +158,7 @@ TEST(PathBound, JointsInProportionCount) {
 }
 
 // Towards the centre and along the path together, two joints have no more than sqrt(2) of what one has.
-TEST(PathBound, AnArcWithinTheLimitsCountsByItsShape) {
+TEST(PathBound, ArcWithinLimitsCountsByShape) {
     constexpr double kRadius_mm = 20;
     const double fastest = std::sqrt(std::sqrt(2.0) * kAcceleration * kRadius_mm);
     const double min_s = 2 * kPi * kRadius_mm / fastest;
@@ -174,7 +174,7 @@ TEST(PathBound, AnArcWithinTheLimitsCountsByItsShape) {
     EXPECT_GE(passed.bound_s, 2 * kPi * kRadius_mm / kMaxFeed);
 }
 
-TEST(PathBound, TwoMotionsAtOnceCountNothing) {
+TEST(PathBound, IgnoresSuperimposedMotions) {
     const machine::Machine machine = af5();
     const MoveInfo info{.kind = MoveKind::linear, .feed_per_min = 60 * kSpeed_mm_s};
     const auto bound_s = [&](bool with_blend) {
@@ -195,7 +195,7 @@ TEST(PathBound, TwoMotionsAtOnceCountNothing) {
     EXPECT_NEAR(bound_s(true), 100 / kSpeed_mm_s + ramp_s / 2, 1e-9);
 }
 
-TEST(PathBound, AnOverrideOfTheFeedCounts) {
+TEST(PathBound, FeedOverrideCounts) {
     const Times times = run(af5(), [](Simulator& s) {
         s.services().shell().SetOverrideSpeed(150);
         s.moves().enqueue(to(at(200, 0), 6000));
@@ -204,7 +204,7 @@ TEST(PathBound, AnOverrideOfTheFeedCounts) {
     EXPECT_NEAR(times.cycle_s, trapezoid_s(200, 150, kAcceleration), 1e-9);
 }
 
-TEST(PathBound, AMachineWithoutLimitsAndNoMotion) {
+TEST(PathBound, HoldsWithoutLimitsAndWithoutMotion) {
     const Times none = run(af5(), [](Simulator&) {});
     EXPECT_EQ(none.bound_s, 0);
     machine::Machine machine = unlimited(af5());
@@ -216,7 +216,7 @@ TEST(PathBound, AMachineWithoutLimitsAndNoMotion) {
     EXPECT_NEAR(times.cycle_s, times.bound_s, 1e-6);
 }
 
-TEST(PathBound, NeverAboveAlongGreatCircles) {
+TEST(PathBound, NeverExceedsCycleTimeOnGreatCircles) {
     std::mt19937 random(5);
     for (int i = 0; i < 20; ++i) {
         machine::Machine machine = random_machine(random, af5());
@@ -244,9 +244,9 @@ struct Controller {
     double chord_tolerance_mm;
 };
 
-class NeverAbove : public testing::TestWithParam<Controller> {};
+class PathBoundOfController : public testing::TestWithParam<Controller> {};
 
-TEST_P(NeverAbove, TheCycleTimeOfARandomProgram) {
+TEST_P(PathBoundOfController, NeverExceedsCycleTimeOfRandomProgram) {
     std::mt19937 random(7);
     double closest = 0;
     for (int i = 0; i < 60; ++i) {
@@ -270,7 +270,7 @@ using rrs::CornerRule;
 using rrs::PlannerKind;
 
 INSTANTIATE_TEST_SUITE_P(
-    Controllers, NeverAbove,
+    Controllers, PathBoundOfController,
     testing::Values(
         Controller{"ExactStop", PlannerKind::rest_to_rest, CornerRule::stop, false, 0},
         Controller{"VelocityStep", PlannerKind::look_ahead, CornerRule::velocity_step, false, 0},

@@ -28,7 +28,7 @@ double distance_to_polyline(const Vector2d& p, const std::vector<PathPoint>& lin
     return min;
 }
 
-TEST(PathThinner, KeepsCornersAndNoMore) {
+TEST(PathThinner, KeepsOnlyCorners) {
     PathThinner thinner;
     for (int i = 0; i <= 100; ++i) thinner.add({0.1 * i, 0}, PathStyle::feed);
     for (int i = 1; i <= 100; ++i) thinner.add({10, 0.1 * i}, PathStyle::feed);
@@ -40,7 +40,7 @@ TEST(PathThinner, KeepsCornersAndNoMore) {
     EXPECT_EQ(points[3].at_mm, Vector2d(10, 5));
 }
 
-TEST(PathThinner, StyleChangesWhereItChanges) {
+TEST(PathThinner, KeepsPointOfStyleChange) {
     PathThinner thinner;
     thinner.add({0, 0}, PathStyle::rapid);
     thinner.add({10, 0}, PathStyle::rapid);
@@ -53,7 +53,7 @@ TEST(PathThinner, StyleChangesWhereItChanges) {
 }
 
 // X moves 100 mm in 2.5 s, Y by a law of its own in 1.5 s: the picture shows the driven path.
-TEST(PlotData, JointsThatGoApartAreDrawnAsTheyGo) {
+TEST(PlotData, DrawsUncoordinatedPathAsDriven) {
     motion::Segment segment = line(1, 0, joints(0, 0), joints(100, 0));
     segment.end = joints(100, 50);
     segment.add_follower(1, 1, motion::TimeLaw::fastest(50, kSpeed_mm_s, kAcceleration_mm_s2));
@@ -70,7 +70,7 @@ TEST(PlotData, JointsThatGoApartAreDrawnAsTheyGo) {
     EXPECT_GT(distance_to_polyline({50, 25}, drawn), 10) << "the straight line";
 }
 
-TEST(PathThinner, LongPathStaysBoundedAndNear) {
+TEST(PathThinner, LongPathStaysBoundedAndAccurate) {
     PathThinner thinner;
     std::vector<Vector2d> all;
     for (int i = 0; i < 300000; ++i) {  // a spiral of 1000 mm
@@ -99,7 +99,7 @@ TEST(PathThinner, RandomWalkStaysBounded) {
     EXPECT_LE(thinner.points().size(), PathThinner::kMaxPoints + 1);
 }
 
-TEST(TimeBuckets, EveryPeakSurvives) {
+TEST(TimeBuckets, KeepsEveryPeak) {
     TimeBuckets buckets;
     for (int i = 0; i < 1000000; ++i) {
         const double speed = i == 654321 ? 99 : i % 2 == 0 ? 10 : 20;
@@ -118,7 +118,7 @@ TEST(TimeBuckets, EveryPeakSurvives) {
     EXPECT_EQ(min, 10);
 }
 
-TEST(PlotData, SeesArcsAsArcsAndSpeedAsItIs) {
+TEST(PlotData, KeepsShapeAndSpeedOfArcs) {
     const machine::Machine machine = af5();
     PlotData data(machine);
     data.begin(joints(600, 600));
@@ -139,7 +139,7 @@ TEST(PlotData, SeesArcsAsArcsAndSpeedAsItIs) {
 }
 
 // 12.5 mm up to speed at 100 mm/s2 in 0.5 s, 75 mm in 1.5 s, and down again.
-TEST(PlotData, AccelerationIsThatOfTheLaw) {
+TEST(PlotData, AccelerationMatchesTimeLaw) {
     const machine::Machine machine = af5();
     PlotData data(machine);
     data.begin(joints(0, 0));
@@ -155,7 +155,7 @@ TEST(PlotData, AccelerationIsThatOfTheLaw) {
     }
 }
 
-TEST(PlotData, ALongCruiseIsNotHiddenByItsRamps) {
+TEST(PlotData, RampsDoNotHideLongCruise) {
     const machine::Machine machine = af5();
     PlotData data(machine);
     data.begin(joints(0, 0));
@@ -172,7 +172,7 @@ TEST(PlotData, ALongCruiseIsNotHiddenByItsRamps) {
     }
 }
 
-TEST(PlotData, TheFeedIsThatOfMovesThatHaveOneInMmPerMinute) {
+TEST(PlotData, FeedIsOnlyOfMovesWithFeedInMmPerMinute) {
     const machine::Machine machine = af5();
     PlotData data(machine);
     data.begin(joints(0, 0));
@@ -189,7 +189,7 @@ TEST(PlotData, TheFeedIsThatOfMovesThatHaveOneInMmPerMinute) {
     EXPECT_EQ(data.feed()[1].value, 50);
 }
 
-TEST(PlotData, SideViewsShowWhatIsUpwards) {
+TEST(PlotData, SideViewsShowZ) {
     const machine::Machine machine = af5();
     PlotData front(machine, Plane::zx), side(machine, Plane::yz);
     for (PlotData* each : {&front, &side}) {
@@ -203,7 +203,7 @@ TEST(PlotData, SideViewsShowWhatIsUpwards) {
     EXPECT_EQ(side.path()[0].at_mm, Vector2d(20, 30));
 }
 
-TEST(PlotData, ASideViewNeedsItsAxes) {
+TEST(PlotData, SideViewNeedsItsAxes) {
     machine::Machine machine = af5();
     EXPECT_EQ(PlotData::find_missing_axes_error(machine, Plane::yz), std::nullopt);
     machine.axes.erase(machine.axes.begin() + 1);
@@ -213,7 +213,7 @@ TEST(PlotData, ASideViewNeedsItsAxes) {
               "--plot-plane yz needs the axes Y and Z, which the machine 'lathe' does not have");
 }
 
-TEST(PlotData, MachineWithoutXAndY) {
+TEST(PlotData, UsesOtherAxisWithoutXAndY) {
     machine::Machine machine = af5();
     machine.axes.erase(machine.axes.begin(), machine.axes.begin() + 4);
     PlotData data(machine);

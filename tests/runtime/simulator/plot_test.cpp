@@ -67,14 +67,14 @@ TEST_F(PlotTest, DrawsPngAndSvg) {
     EXPECT_THAT(content(folder / "a.svg"), HasSubstr("</svg>"));
 }
 
-TEST_F(PlotTest, DrawsARunWithoutAMove) {
+TEST_F(PlotTest, DrawsRunWithoutMoves) {
     if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
     data.begin(joints(0, 0));
     const auto drawn = draw(folder / "a.png", "");
     EXPECT_TRUE(drawn) << drawn.error().message;
 }
 
-TEST_F(PlotTest, EachStyleHasItsCurve) {
+TEST_F(PlotTest, DrawsOneCurvePerStyle) {
     draw_something();
     const std::string script = plot_script(data, PictureFormat::svg, "t");
     EXPECT_THAT(script, HasSubstr("$rapid << EOD\n0 0\n"));
@@ -83,7 +83,7 @@ TEST_F(PlotTest, EachStyleHasItsCurve) {
     EXPECT_THAT(script, HasSubstr("title 'jet on'"));
 }
 
-TEST_F(PlotTest, AFeedHoldsUntilTheNextOne) {
+TEST_F(PlotTest, HoldsFeedUntilNextOne) {
     data.begin(joints(0, 0));
     data.on_segment(line(1, 0, joints(0, 0), joints(100, 0)),
                     {.kind = MoveKind::linear, .feed_per_min = 3000});
@@ -94,7 +94,7 @@ TEST_F(PlotTest, AFeedHoldsUntilTheNextOne) {
                 HasSubstr("$programmed << EOD\n0 50\n2.5 50\n5 50\n\n5 40\n7.5 40\nEOD\n"));
 }
 
-TEST_F(PlotTest, FeedAndLimitAreDrawnWhereTheyAreNear) {
+TEST_F(PlotTest, DrawsFeedAndNearbyLimit) {
     data.begin(joints(0, 0));
     data.on_segment(line(1, 0, joints(0, 0), joints(100, 0)),
                     {.kind = MoveKind::linear, .feed_per_min = 6000});
@@ -109,25 +109,25 @@ TEST_F(PlotTest, FeedAndLimitAreDrawnWhereTheyAreNear) {
     EXPECT_THAT(near, HasSubstr("set yrange [-162:162]"));
 }
 
-TEST_F(PlotTest, NameWithoutAKnownEnding) {
+TEST_F(PlotTest, RejectsUnknownFileExtension) {
     EXPECT_EQ(Picture::picture_for_file("a.pdf").error().message,
               "cannot draw 'a.pdf': the name of a picture must end in .svg or .png");
 }
 
-TEST_F(PlotTest, FolderThatIsNotThere) {
+TEST_F(PlotTest, RejectsMissingFolder) {
     const std::string name = (folder / "no" / "a.png").string();
     EXPECT_EQ(Picture::picture_for_file(name).error().message,
               "cannot write '" + name + "': No such file or directory");
 }
 
-TEST_F(PlotTest, ANameThatWillDoLeavesNothingBehind) {
+TEST_F(PlotTest, CheckOfNameLeavesNoFile) {
     if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
     EXPECT_TRUE(Picture::picture_for_file(folder / "a.png"));
     EXPECT_TRUE(fs::is_empty(folder));
 }
 
 // 400 mm/s in rapids, 40 mm/s and 100 mm/s2 in feed moves.
-TEST_F(PlotTest, RapidsHaveAScaleOfTheirOwn) {
+TEST_F(PlotTest, RapidsHaveSeparateScale) {
     data.begin(joints(0, 0));
     motion::Segment rapid = line(1, 0, joints(0, 0), joints(100, 0));
     rapid.master = motion::TimeLaw::fastest(100, 400, 8000);
@@ -146,7 +146,7 @@ TEST_F(PlotTest, RapidsHaveAScaleOfTheirOwn) {
     EXPECT_THAT(script, HasSubstr("set y2label 'rapid (mm/s)'"));
 }
 
-TEST_F(PlotTest, RapidsAloneHaveTheLeftScale) {
+TEST_F(PlotTest, RapidsAloneUseLeftScale) {
     data.begin(joints(0, 0));
     data.on_segment(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::rapid});
     const std::string script = plot_script(data, PictureFormat::svg, "t");
@@ -154,7 +154,7 @@ TEST_F(PlotTest, RapidsAloneHaveTheLeftScale) {
     EXPECT_THAT(script, Not(HasSubstr("y2range")));
 }
 
-TEST_F(PlotTest, PiercesCollisionsAndTheAlarmAreMarked) {
+TEST_F(PlotTest, MarksPiercesCollisionsAndAlarm) {
     draw_something();
     data.on_segment(line(4, 20, joints(-100, 100), joints(-100, 0)), {.kind = MoveKind::linear});
     data.on_segment(line(5, 30, joints(-100, 0), joints(7, 0)),
@@ -172,7 +172,7 @@ TEST_F(PlotTest, PiercesCollisionsAndTheAlarmAreMarked) {
         EXPECT_THAT(script, HasSubstr(std::string("title ") + title));
 }
 
-TEST(ChildProcess, ErrorsAreSentences) {
+TEST(ChildProcess, ReportsStartExitAndSignalErrors) {
     std::FILE* null = std::fopen("/dev/null", "r+");
     EXPECT_EQ(os::run_child({"no-such-program"}, null, null).error().message,
               "cannot run no-such-program: No such file or directory");

@@ -23,7 +23,7 @@ rrs::JointPos random_joints(const motion::PlannerSetup& setup, std::mt19937& ran
     return joints;
 }
 
-TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
+TEST(RcsMachine, PassesKinematicsOfSampleMachines) {
     std::mt19937 random(51);
     for (const std::string name : {"af5", "router3", "gantry-offset-head", "mill-head-table",
                                    "mill-table-table", "arm6", "unlimited"}) {
@@ -46,7 +46,7 @@ TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
     }
 }
 
-TEST(RcsMachine, RowsAreNumberedFromZeroUp) {
+TEST(RcsMachine, RejectsRowsNotNumberedFromZero) {
     const motion::PlannerSetup setup =
         make_planner_setup(machine::read_machine(machine::built_in_machine_toml(), "").value());
     gsim_rcs_machine described = rcs::RcsMachine(setup).get();

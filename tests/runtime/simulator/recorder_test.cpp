@@ -80,7 +80,7 @@ TEST_F(RecorderTest, SumsTimesAndLengthsByKind) {
     EXPECT_EQ(output.moves[3].end, joints(200, 200));
 }
 
-TEST_F(RecorderTest, AllSegmentsOfATargetAreOneMoveAndItsRestIsDwell) {
+TEST_F(RecorderTest, SegmentsOfTargetAreOneMoveAndStandstillIsDwell) {
     recorder.expect(info(1, MoveKind::linear));
     recorder.on_segment(line(1, 0, joints(0, 0), joints(100, 0)));
     recorder.on_segment(standstill(1, 2.5, joints(100, 0), 1));
@@ -92,7 +92,7 @@ TEST_F(RecorderTest, AllSegmentsOfATargetAreOneMoveAndItsRestIsDwell) {
     EXPECT_DOUBLE_EQ(output.moves[0].length_mm, 100);
 }
 
-TEST_F(RecorderTest, MoveToTheSamePlaceDoesNotCountButADwellDoes) {
+TEST_F(RecorderTest, CountsDwellButNotMoveToSamePosition) {
     recorder.expect(info(1, MoveKind::linear));
     recorder.expect(info(2, MoveKind::dwell));
     recorder.expect(info(3, MoveKind::linear));
@@ -105,14 +105,14 @@ TEST_F(RecorderTest, MoveToTheSamePlaceDoesNotCountButADwellDoes) {
     EXPECT_EQ(output.moves[1].n, 2u);
 }
 
-TEST_F(RecorderTest, TargetsWithoutASegmentArePassedOver) {
+TEST_F(RecorderTest, SkipsTargetsWithoutSegment) {
     for (rrs::TargetId id = 1; id <= 4; ++id) recorder.expect(info(id, MoveKind::linear));
     recorder.on_segment(line(3, 0, joints(0, 0), joints(100, 0)));
     EXPECT_EQ(finish().counts.moves, 1u);
     EXPECT_THAT(output.segment_ids, ElementsAre(3));
 }
 
-TEST_F(RecorderTest, SegmentThatNobodyExpectsCountsInTimeAlone) {
+TEST_F(RecorderTest, UnexpectedSegmentCountsOnlyInTime) {
     recorder.expect(info(2, MoveKind::rapid));
     recorder.on_segment(line(99, 0, joints(0, 0), joints(100, 0)));
     recorder.on_segment(line(2, 2.5, joints(100, 0), joints(0, 0)));
@@ -122,7 +122,7 @@ TEST_F(RecorderTest, SegmentThatNobodyExpectsCountsInTimeAlone) {
     EXPECT_EQ(report.counts.moves, 1u);
 }
 
-TEST_F(RecorderTest, AMoveIsLimitedByWhatLimitsItsLongestSegment) {
+TEST_F(RecorderTest, LimitOfLongestSegmentIsLimitOfMove) {
     using motion::LimitKind;
     const auto on_segment = [&](double start_s, double x0, double x1, motion::LimitCause limited_by) {
         motion::Segment segment = line(1, start_s, joints(x0, 0), joints(x1, 0));
@@ -144,7 +144,7 @@ TEST_F(RecorderTest, AMoveIsLimitedByWhatLimitsItsLongestSegment) {
     EXPECT_EQ(report.slowest[1].limited_by, "");
 }
 
-TEST_F(RecorderTest, EmptyRun) {
+TEST_F(RecorderTest, EmptyRunHasNoTimeAndNoMoves) {
     const Report report = finish();
     EXPECT_EQ(report.cycle_time_s, 0);
     EXPECT_EQ(report.counts.moves, 0u);
@@ -155,7 +155,7 @@ TEST_F(RecorderTest, EmptyRun) {
 }
 
 // An arc from 45 deg over 180 deg passes the top and the leftmost point of its circle; neither is an end.
-TEST_F(RecorderTest, BoundsReachTheQuadrantsOfAnArc) {
+TEST_F(RecorderTest, BoundsIncludeQuadrantsOfArc) {
     recorder.expect(info(1, MoveKind::arc_ccw));
     recorder.on_segment(arc(1, 0, 500, 600, 100, 45, 180));
     const Report report = finish();
@@ -167,7 +167,7 @@ TEST_F(RecorderTest, BoundsReachTheQuadrantsOfAnArc) {
     EXPECT_EQ(output.moves[0].arc->center.x(), 500);
 }
 
-TEST(Recorder, BoundsOfAFullCircleAndTheStartPosition) {
+TEST(Recorder, BoundsIncludeFullCircleAndStartPosition) {
     const machine::Machine machine = af5();
     Recorder recorder(machine, joints(600, 600));
     recorder.expect(info(1, MoveKind::arc_ccw));
@@ -182,7 +182,7 @@ TEST(Recorder, BoundsOfAFullCircleAndTheStartPosition) {
     EXPECT_EQ(report.bounds[2].max, 0);
 }
 
-TEST(Recorder, BoundsAreAxisValuesInDegreesFromTheAxisZero) {
+TEST(Recorder, BoundsAreAxisValuesFromAxisZero) {
     machine::Machine machine = af5();
     machine.axes[0].zero = 1000;
     machine.axes[3].zero = -10;
@@ -198,7 +198,7 @@ TEST(Recorder, BoundsAreAxisValuesInDegreesFromTheAxisZero) {
     EXPECT_NEAR(report.bounds[3].max, 80, 1e-9);
 }
 
-TEST_F(RecorderTest, SlowestAreTenLongestFirstAndEarlierOfEquals) {
+TEST_F(RecorderTest, ListsTenSlowestWithEarlierOfEqualsFirst) {
     double start_s = 0;
     for (rrs::TargetId id = 1; id <= 15; ++id) {
         recorder.expect(info(id, MoveKind::dwell));
@@ -223,7 +223,7 @@ TEST_F(RecorderTest, SumsOfManyMovesDoNotDrift) {
 }
 
 // The planner's own segments: 300 mm of rapid at 508 mm/s and 490.33 mm/s2 do not reach full speed.
-TEST(Recorder, RecordsWhatThePlannerMakes) {
+TEST(Recorder, RecordsSegmentsOfPlanner) {
     const machine::Machine machine = af5();
     Recorder recorder(machine, joints(0, 0));
     motion::DefaultPlanner planner(make_planner_setup(machine), &recorder);

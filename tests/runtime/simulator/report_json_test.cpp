@@ -42,7 +42,7 @@ std::vector<std::string> keys(const ordered_json& json) {
     return keys;
 }
 
-TEST(ReportJson, KeysInTheirOrder) {
+TEST(ReportJson, WritesKeysInFixedOrder) {
     const auto json = text::parse_json<ordered_json>(to_json(sample()));
     EXPECT_THAT(keys(json),
                 ElementsAre("format", "program", "machine", "controller", "status", "alarm", "violations",
@@ -59,7 +59,7 @@ TEST(ReportJson, KeysInTheirOrder) {
                 ElementsAre("file", "line", "kind", "duration_s", "length_mm", "limited_by"));
 }
 
-TEST(ReportJson, PassesOfAMainProgramThatLeadsBack) {
+TEST(ReportJson, WritesPassesOfRepeatedMainProgram) {
     Report report = sample();
     report.passes = Passes{3, {1, 7}, std::nullopt};
     auto json = text::parse_json<ordered_json>(to_json(report));
@@ -69,7 +69,7 @@ TEST(ReportJson, PassesOfAMainProgramThatLeadsBack) {
     EXPECT_EQ(json["passes"]["to_block"], 20);
 }
 
-TEST(ReportJson, ViolationsAndFindings) {
+TEST(ReportJson, WritesViolationsAndFindings) {
     Report report = sample();
     report.status = RunStatus::violations;
     report.violations.list = {{.t_s = 0.25,
@@ -98,7 +98,7 @@ TEST(ReportJson, ViolationsAndFindings) {
     EXPECT_EQ(text::parse_json<ordered_json>(to_json(sample()))["valid_until_s"], nullptr);
 }
 
-TEST(ReportJson, Values) {
+TEST(ReportJson, WritesValues) {
     const auto json = text::parse_json<ordered_json>(to_json(sample()));
     EXPECT_EQ(json["status"], "completed");
     EXPECT_EQ(json["controller"], "ab9");
@@ -121,7 +121,7 @@ TEST(ReportJson, Values) {
     EXPECT_EQ(json["slowest"][1]["limited_by"], nullptr);
 }
 
-TEST(ReportJson, RoundedCorners) {
+TEST(ReportJson, WritesRoundedCorners) {
     Report report = sample();
     EXPECT_EQ(text::parse_json<ordered_json>(to_json(report))["blends"].dump(),
               R"({"count":0,"max_deviation_mm":0.0,"file":null,"line":null,)"
@@ -137,7 +137,7 @@ TEST(ReportJson, RoundedCorners) {
         << "nothing is known, so nothing is said";
 }
 
-TEST(ReportJson, AnExplanationComesLastAndOnlyWhereThereIsOne) {
+TEST(ReportJson, WritesExplanationLastOnlyIfPresent) {
     Report report = sample();
     EXPECT_FALSE(text::parse_json<ordered_json>(to_json(report)).contains("time_by_limit"));
     report.explanation = Explanation{{{"feed", 0.25}, {"dwell", 0.05}}, 0.2};
@@ -151,7 +151,7 @@ TEST(ReportJson, AnExplanationComesLastAndOnlyWhereThereIsOne) {
     EXPECT_EQ(json["lower_bound_s"], 0.2);
 }
 
-TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
+TEST(ReportJson, AlarmHasAxisAndValues) {
     Report report = sample();
     report.status = RunStatus::alarm;
     report.alarm =
@@ -173,7 +173,7 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
     for (const char* key : {"file", "line", "axis", "value", "limit"}) EXPECT_EQ(json["alarm"][key], nullptr);
 }
 
-TEST(ReportJson, AnAlarmNamesTheCallsThatAreOpen) {
+TEST(ReportJson, AlarmListsActiveCalls) {
     Report report = sample();
     report.alarm = Alarm{.message = "m",
                          .location = {0, 9},
@@ -195,7 +195,7 @@ TEST(ReportJson, EmptyListsStayLists) {
     EXPECT_TRUE(json["bounds"].is_object());
 }
 
-TEST(ReportJson, NothingThatJsonCannotHold) {
+TEST(ReportJson, ReplacesValuesInvalidInJson) {
     Report report = sample();
     report.cycle_time_s = kInf;
     report.times.rapid_s = std::numeric_limits<double>::quiet_NaN();

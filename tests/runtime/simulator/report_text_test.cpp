@@ -36,7 +36,7 @@ Report sample() {
     return report;
 }
 
-TEST(ReportText, TellsTheResult) {
+TEST(ReportText, PrintsResult) {
     const std::string text = to_text(sample());
     EXPECT_THAT(text, HasSubstr("controller  grbl-1.1\n"));
     EXPECT_THAT(text, HasSubstr("status      completed\n"));
@@ -52,7 +52,7 @@ TEST(ReportText, TellsTheResult) {
     EXPECT_THAT(text, Not(HasSubstr("time by cause")));
 }
 
-TEST(ReportText, TellsWhereTheTimeGoes) {
+TEST(ReportText, PrintsTimeByCause) {
     Report report = sample();
     report.explanation = Explanation{{{"feed", 2794.125}, {"dwell", 931.375}}, 2980.4};
     EXPECT_THAT(to_text(report),
@@ -63,7 +63,7 @@ TEST(ReportText, TellsWhereTheTimeGoes) {
     EXPECT_THAT(to_text(report), HasSubstr("lower bound  0.000 s\n"));
 }
 
-TEST(ReportText, TellsTheAlarm) {
+TEST(ReportText, PrintsAlarm) {
     Report report = sample();
     report.status = RunStatus::alarm;
     report.alarm =
@@ -71,7 +71,7 @@ TEST(ReportText, TellsTheAlarm) {
     EXPECT_THAT(to_text(report), HasSubstr("  at        part.nc:4\n  because   X is beyond its limit\n"));
 }
 
-TEST(ReportText, NoLineIsLongerThan100AndNothingReachesTheTerminalRaw) {
+TEST(ReportText, LimitsLineLengthAndEscapesControlCharacters) {
     Report report = sample();
     const std::string long_name(300, 'n');
     report.source.program = long_name;
@@ -93,7 +93,7 @@ TEST(ReportText, NoLineIsLongerThan100AndNothingReachesTheTerminalRaw) {
     }
 }
 
-TEST(ReportText, EmptyReport) {
+TEST(ReportText, PrintsEmptyReport) {
     EXPECT_THAT(to_text(Report{}), HasSubstr("cycle time  0.000 s  (0:00:00)\n"));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-TEST(SetPointPath, PointAloneAndLines) {
+TEST(SetPointPath, MeasuresDistanceFromPointAndLines) {
     SetPointPath path;
     path.begin({1, 2, 3});
     EXPECT_NEAR(path.distance_mm({1, 2, 7}), 4, 1e-12);
@@ -24,7 +24,7 @@ TEST(SetPointPath, PointAloneAndLines) {
     EXPECT_NEAR(path.distance_mm({14, 30, 3}), 3, 1e-12);
 }
 
-TEST(SetPointPath, WhatIsForgottenDoesNotCount) {
+TEST(SetPointPath, IgnoresDiscardedPart) {
     SetPointPath path;
     path.begin({0, 0, 0});
     path.add_line({10, 0, 0}, 1, false);
@@ -36,7 +36,7 @@ TEST(SetPointPath, WhatIsForgottenDoesNotCount) {
 }
 
 // Parts of a twentieth of a radian are the circle to a millionth of a per mille.
-TEST(SetPointPath, CircleByItsPieces) {
+TEST(SetPointPath, MeasuresDistanceFromCircle) {
     constexpr double kRadius_mm = 50, kStep_rad = 0.05;
     SetPointPath path;
     path.begin({kRadius_mm, 0, 0});
@@ -55,7 +55,7 @@ TEST(SetPointPath, CircleByItsPieces) {
 }
 
 // The nearest part is found for any order of the search, compared with a check of points on all of them.
-TEST(SetPointPath, RandomWaysAgainstAllTheirPoints) {
+TEST(SetPointPath, RandomPathsMatchSampledPoints) {
     std::mt19937 random(11);
     const auto any = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
     for (int round = 0; round < 50; ++round) {

@@ -14,7 +14,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class EachPlanner : public testing::TestWithParam<PlannerKind> {
+class SimulatorWithPlanner : public testing::TestWithParam<PlannerKind> {
   protected:
     static machine::Machine machine() {
         machine::Machine machine = af5();
@@ -30,7 +30,7 @@ class EachPlanner : public testing::TestWithParam<PlannerKind> {
     }
 };
 
-TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
+TEST_P(SimulatorWithPlanner, PendingMovesCountAgainstTimeLimit) {
     Simulator simulator(machine(), {.max_time_s = 60});
     simulator.moves().enqueue(line(100, 6000));
     EXPECT_FALSE(simulator.outcome().alarm());
@@ -41,7 +41,7 @@ TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
     EXPECT_THAT(report.alarm->message, HasSubstr("60 s of machine time"));
 }
 
-TEST_P(EachPlanner, TheFirstAlarmStays) {
+TEST_P(SimulatorWithPlanner, KeepsFirstAlarm) {
     Simulator simulator(machine(), {});
     const motion::PlanError past_range{.status = rrs::Status::RRS_JOINT_LIMIT,
                                        .message = "past its range",
@@ -56,13 +56,13 @@ TEST_P(EachPlanner, TheFirstAlarmStays) {
     EXPECT_FALSE(simulator.outcome().alarm()->limit);
 }
 
-TEST_P(EachPlanner, ARunWithinTheLimitCompletes) {
+TEST_P(SimulatorWithPlanner, CompletesRunWithinTimeLimit) {
     Simulator simulator(machine(), {.max_time_s = 60});
     simulator.moves().enqueue(line(100, 6000));
     EXPECT_EQ(simulator.finish("p").status, RunStatus::completed);
 }
 
-TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
+TEST_P(SimulatorWithPlanner, WarnsAboutJerkLimitWithoutEffect) {
     machine::Machine with = machine();
     with.controller.ramps.limit_jerk = true;
     Simulator without_jerks(with, {});
@@ -77,7 +77,7 @@ TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
     EXPECT_THAT(plain.finish("p").messages.warnings, IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, EachPlanner,
+INSTANTIATE_TEST_SUITE_P(Planners, SimulatorWithPlanner,
                          testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead,
                                          PlannerKind::linuxcnc, PlannerKind::klipper));
 

@@ -7,7 +7,7 @@
 namespace gsim::simulation::text_stream_test {
 namespace {
 
-TEST(TextStream, WhatFollowsAPieceThatCannotBeWrittenIsDropped) {
+TEST(TextStream, DropsOutputAfterWriteError) {
     int chunk_count = 0;
     TextStream stream([&](std::string_view) { return ++chunk_count < 2; });
     for (int i = 0; i < 100000; ++i) {

@@ -30,7 +30,7 @@ class TimeByLimitTest : public testing::Test {
     TimeByLimit times;
 };
 
-TEST_F(TimeByLimitTest, MostTimeFirstWithTheRestsAmongThem) {
+TEST_F(TimeByLimitTest, SortsByTimeIncludingDwells) {
     add({LimitKind::feed, -1}, 2);
     add({LimitKind::joint_speed, 0}, 1);
     add({LimitKind::joint_speed, 3}, 5);
@@ -42,20 +42,20 @@ TEST_F(TimeByLimitTest, MostTimeFirstWithTheRestsAmongThem) {
     EXPECT_EQ(list[2].time_s, 3);
 }
 
-TEST_F(TimeByLimitTest, JointsWhoseLimitsShareANameAreOneRow) {
+TEST_F(TimeByLimitTest, MergesJointsWithSameLimitName) {
     add({LimitKind::jerk, 0}, 2);
     add({LimitKind::jerk, 1}, 1);
     EXPECT_THAT(names(), ElementsAre("jerk"));
     EXPECT_EQ(times.list(machine)[0].time_s, 3);
 }
 
-TEST_F(TimeByLimitTest, WhatTookNoTimeIsLeftOut) {
+TEST_F(TimeByLimitTest, OmitsLimitsWithoutTime) {
     add({LimitKind::corner, -1}, 0);
     times.on_segment(standstill(2, 0, joints(0, 0), 0), {.kind = MoveKind::dwell});
     EXPECT_TRUE(times.list(machine).empty());
 }
 
-TEST_F(TimeByLimitTest, ManyTimesDoNotDrift) {
+TEST_F(TimeByLimitTest, SumsOfManyTimesDoNotDrift) {
     constexpr int kCount = 200'000;
     for (int i = 0; i < kCount; ++i) add({LimitKind::feed, -1}, 0.1);
     EXPECT_DOUBLE_EQ(times.list(machine)[0].time_s, kCount * 0.1);

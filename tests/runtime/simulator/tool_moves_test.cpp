@@ -120,9 +120,9 @@ void PrintTo(const Case& one, std::ostream* out) {
     *out << one.machine;
 }
 
-class TipControl : public testing::TestWithParam<std::tuple<Case, PlannerKind>> {
+class TcpControlMoves : public testing::TestWithParam<std::tuple<Case, PlannerKind>> {
   protected:
-    TipControl()
+    TcpControlMoves()
         : run(sample(std::get<0>(GetParam()).machine, std::get<1>(GetParam())),
               joints_of(std::get<0>(GetParam()).start, setup())) {
         run.control_tip({3, -4, -60});
@@ -137,7 +137,7 @@ class TipControl : public testing::TestWithParam<std::tuple<Case, PlannerKind>> 
     ToolRun run;
 };
 
-TEST_P(TipControl, ALineIsOneOfTheTipWithTheFeedAsItsSpeed) {
+TEST_P(TcpControlMoves, TcpFollowsLineAtFeed) {
     const Vector3d from = run.tcp(run.planner.position());
     const Vector3d to = run.tcp(end());
     run.planner.SetCartesianPositionSpeed(5);
@@ -167,14 +167,14 @@ TEST_P(TipControl, ALineIsOneOfTheTipWithTheFeedAsItsSpeed) {
     expect_limits_held(run);
 }
 
-TEST_P(TipControl, AFeedThatJointsCannotFollowGivesWayToTheirLimits) {
+TEST_P(TcpControlMoves, JointLimitsReduceFeed) {
     run.planner.SetCartesianPositionSpeed(1e4);
     ASSERT_EQ(run.to(end()), Status::RRS_SUCCESS) << run.message();
     run.planner.flush();
     expect_limits_held(run);
 }
 
-TEST_P(TipControl, RotaryAxesAloneTurnAboutTheTip) {
+TEST_P(TcpControlMoves, RotaryAxesTurnAboutTcp) {
     JointPos target = run.planner.position();
     const Vector3d tcp = run.tcp(target);
     for (int joint = 0; joint < run.setup.joint_count(); ++joint)
@@ -196,7 +196,7 @@ TEST_P(TipControl, RotaryAxesAloneTurnAboutTheTip) {
     for (const Segment& segment : run.kept.segments) EXPECT_EQ(segment.length_mm, 0);
 }
 
-TEST_P(TipControl, AnArcIsOneOfTheTip) {
+TEST_P(TcpControlMoves, TcpFollowsArc) {
     const Vector3d from = run.tcp(run.planner.position());
     const Vector3d center = from + Vector3d(0, 20, 0);
     JointPos target = end();  // a half circle about Z of the work, while the axes turn
@@ -217,14 +217,14 @@ TEST_P(TipControl, AnArcIsOneOfTheTip) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Machines, TipControl,
+    Machines, TcpControlMoves,
     testing::Combine(
         testing::Values(Case{"mill-table-table", {20, -30, 150, -10, 20}, {60, 40, 200, -55, 130}},
                         Case{"mill-head-table", {20, -30, 150, 10, 20}, {60, 40, 200, 60, -100}},
                         Case{"gantry-offset-head", {900, 800, 300, 10, 20}, {1000, 900, 350, 90, -40}}),
         testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead, PlannerKind::linuxcnc)));
 
-TEST(ToolMoves, AnInverseTimeFeedIsTheTimeOfTheWholeWay) {
+TEST(ToolMoves, InverseTimeFeedIsTimeOfCompletePath) {
     const PlannerSetup setup = sample("mill-table-table", PlannerKind::look_ahead);
     ToolRun run(setup, joints_of({20, -30, 150, -10, 20}, setup));
     run.control_tip(Vector3d::Zero());
@@ -234,7 +234,7 @@ TEST(ToolMoves, AnInverseTimeFeedIsTheTimeOfTheWholeWay) {
     EXPECT_NEAR(run.kept.end_s(), 30, 0.1);
 }
 
-TEST(ToolMoves, MovesInOneDirectionGoOnWithoutAStop) {
+TEST(ToolMoves, MovesInOneDirectionContinueWithoutStop) {
     const PlannerSetup setup = sample("mill-head-table", PlannerKind::look_ahead);
     ToolRun run(setup, joints_of({20, -30, 150, 10, 20}, setup));
     run.control_tip(Vector3d::Zero());
@@ -256,14 +256,14 @@ TEST(ToolMoves, MovesInOneDirectionGoOnWithoutAStop) {
     EXPECT_GT(slowest, 4.9);
 }
 
-TEST(ToolMoves, OneWithoutThreeSlidesHasNoToolCentrePointControl) {
+TEST(ToolMoves, RejectTcpControlWithoutThreeSlides) {
     const PlannerSetup setup = sample("arm6");
     ToolRun run(setup, joints_of({0, 45, -45, 0, 30, 0}, setup));
     EXPECT_EQ(run.planner.SetTipControl(true, Vector3d::Zero()), Status::RRS_MODE_NOT_SUPPORTED);
     EXPECT_EQ(run.planner.SetTipControl(false, Vector3d::Zero()), Status::RRS_SUCCESS);
 }
 
-TEST(ToolMoves, APlaceOnTheWayOutOfRangeIsNamed) {
+TEST(ToolMoves, RejectPathOutOfRange) {
     const PlannerSetup setup = sample("mill-table-table");
     ToolRun run(setup, joints_of({0, 0, 100, 0, 0}, setup));
     run.control_tip(Vector3d::Zero());
@@ -279,9 +279,9 @@ TEST(ToolMoves, APlaceOnTheWayOutOfRangeIsNamed) {
     EXPECT_EQ(far.to(end), Status::RRS_JOINT_LIMIT);
 }
 
-class Arm : public testing::TestWithParam<PlannerKind> {
+class ArmMoves : public testing::TestWithParam<PlannerKind> {
   protected:
-    Arm() : setup(sample("arm6", GetParam())), run(setup, joints_of({10, 45, -60, 20, 40, 10}, setup)) {
+    ArmMoves() : setup(sample("arm6", GetParam())), run(setup, joints_of({10, 45, -60, 20, 40, 10}, setup)) {
         run.planner.SelectTargetType(rrs::TargetType::cartesian);
         run.planner.SelectMotionType(rrs::MotionType::linear);
         run.planner.SetCartesianPositionSpeed(50);
@@ -296,7 +296,7 @@ class Arm : public testing::TestWithParam<PlannerKind> {
     rrs::CartPos start;
 };
 
-TEST_P(Arm, ALinearTargetIsALineInSpaceAndTheToolTurnsEvenly) {
+TEST_P(ArmMoves, TcpFollowsLineAndToolTurnsEvenly) {
     rrs::CartPos end = start;
     end.translation() += Vector3d(-120, 150, 80);
     end.rotate(Eigen::AngleAxisd(0.8, Vector3d(1, 2, -1).normalized()));
@@ -324,7 +324,7 @@ TEST_P(Arm, ALinearTargetIsALineInSpaceAndTheToolTurnsEvenly) {
     expect_limits_held(run);
 }
 
-TEST_P(Arm, AnArcThroughAPointIsAnArcInSpace) {
+TEST_P(ArmMoves, TcpFollowsArcThroughPoint) {
     rrs::CartPos via = start;
     rrs::CartPos end = start;
     via.translation() += Vector3d(-30, 30, 0);
@@ -342,7 +342,7 @@ TEST_P(Arm, AnArcThroughAPointIsAnArcInSpace) {
     expect_limits_held(run);
 }
 
-TEST_P(Arm, NearASingularStanceTheFeedGivesWayToTheJoints) {
+TEST_P(ArmMoves, JointLimitsReduceFeedNearSingularity) {
     ToolRun near(setup, joints_of({0, 45, -60, 0, 2, 0}, setup));  // the wrist is almost straight
     near.planner.SelectTargetType(rrs::TargetType::cartesian);
     near.planner.SelectMotionType(rrs::MotionType::linear);
@@ -356,14 +356,15 @@ TEST_P(Arm, NearASingularStanceTheFeedGivesWayToTheJoints) {
     expect_limits_held(near, 0.03);
 }
 
-TEST_P(Arm, AWayOutOfReachIsNamed) {
+TEST_P(ArmMoves, ReportPathOutOfReach) {
     rrs::CartPos end = start;
     end.translation() += Vector3d(2000, 0, 0);
     EXPECT_EQ(to(end), Status::RRS_NO_SOLUTION);
     EXPECT_THAT(run.message(), HasSubstr("The tool cannot follow its path at X"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, Arm, testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead));
+INSTANTIATE_TEST_SUITE_P(Planners, ArmMoves,
+                         testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead));
 
 }  // namespace
 }  // namespace gsim::motion::tool_moves_test

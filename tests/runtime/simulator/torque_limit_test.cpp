@@ -100,7 +100,7 @@ double excess(const Report& report) {
     return max;
 }
 
-TEST(TorqueLimit, SlideIsItsClosedForm) {
+TEST(TorqueLimit, SlideMatchesClosedForm) {
     const auto simulator = simulator_of(read(slides()));
     ASSERT_TRUE(rapid(*simulator, at(500, 0)));
     const Report report = simulator->finish("part.nc");
@@ -114,7 +114,7 @@ TEST(TorqueLimit, SlideIsItsClosedForm) {
     EXPECT_THAT(to_json(report), HasSubstr("\"time_by_axes_s\""));
 }
 
-TEST(TorqueLimit, VerticalAxisHasItsWeight) {
+TEST(TorqueLimit, VerticalAxisIncludesWeight) {
     const double weight = 20 * kG;
     const auto up = simulator_of(read(slides()));
     ASSERT_TRUE(rapid(*up, at(0, 300)));
@@ -128,7 +128,7 @@ TEST(TorqueLimit, VerticalAxisHasItsWeight) {
     EXPECT_EQ(report.drives.efforts->excess_count, 0U);
 }
 
-TEST(TorqueLimit, SlowerWhereTheMotorHasLessAtSpeed) {
+TEST(TorqueLimit, FollowsMotorCurveAtSpeed) {
     const std::string curve = "curve_speed_mm_s = [0, 500, 1000]\ncurve_peak_n = [400, 400, 110]";
     const auto simulator = simulator_of(read(slides(curve)));
     ASSERT_TRUE(rapid(*simulator, at(20, 0)));  // never faster than 500 mm/s
@@ -141,14 +141,14 @@ TEST(TorqueLimit, SlowerWhereTheMotorHasLessAtSpeed) {
     EXPECT_GT(second_s, time_s(1.98, 1, 6, 10));
 }
 
-TEST(TorqueLimit, ProgrammedRampsHoldAsWell) {
+TEST(TorqueLimit, ProgrammedRampsStillApply) {
     const auto simulator = simulator_of(read(slides()));
     simulator->program().ramps().set_limit(rrs::RampLimit::acceleration, 0, 4000);
     ASSERT_TRUE(rapid(*simulator, at(500, 0)));
     EXPECT_NEAR(simulator->clock().time_s(), time_s(0.5, 1, 4, 10), 1e-9);
 }
 
-TEST(TorqueLimit, MotorThatCannotHoldItsWeightIsRefused) {
+TEST(TorqueLimit, RejectsMoveIfMotorCannotHoldWeight) {
     std::string text = slides();
     text.replace(text.find("peak_n = 300"), 12, "peak_n = 190");
     const auto simulator = simulator_of(read(text));
@@ -157,7 +157,7 @@ TEST(TorqueLimit, MotorThatCannotHoldItsWeightIsRefused) {
                 HasSubstr("axis Z: The motor is too weak for this move"));
 }
 
-TEST(TorqueLimit, RefusesByName) {
+TEST(TorqueLimit, RejectsInvalidSettingsByName) {
     EXPECT_THAT(
         rejection(slides("", "exact-stop").replace(slides("").find("max_acceleration_mm_s2 = 1000"), 29, "")),
         HasSubstr("'limit = \"torque\"' of [dynamics] needs 'peak_n' of axis X, or 'max_acceleration_mm_s2' "
@@ -232,7 +232,7 @@ Report arm_run(const machine::Machine& machine, unsigned seed) {
     return simulator->finish("arm");
 }
 
-TEST(TorqueLimit, ArmKeepsItsPeaksAndGainsTime) {
+TEST(TorqueLimit, ArmKeepsPeaksAndSavesTime) {
     const machine::Machine machine = read(std::string(kArm));
     double shortest = 1, longest = 0;
     for (unsigned seed = 0; seed < 60; ++seed) {
@@ -280,7 +280,7 @@ machine::Machine heavy(std::mt19937& random, std::string_view model) {
     return machine;
 }
 
-TEST(TorqueLimit, RandomProgramsKeepThePeaks) {
+TEST(TorqueLimit, RandomProgramsKeepPeaks) {
     int completed = 0;
     constexpr unsigned kPrograms = 120;
     for (unsigned program = 0; program < kPrograms; ++program) {

@@ -42,7 +42,7 @@ MoveInfo on_line_hook(std::uint32_t line) {
     return {.location = {0, line}};
 }
 
-TEST(TrajectoryWriter, SamplesTheWholeRunAndTheLastInstant) {
+TEST(TrajectoryWriter, SamplesCompleteRunAndEndTime) {
     const machine::Machine machine = af5();
     StringStream stream;
     TrajectoryWriter writer(stream.out(), machine, 0.4, kNoEnd_s);
@@ -71,7 +71,7 @@ TEST(TrajectoryWriter, SamplesTheWholeRunAndTheLastInstant) {
     EXPECT_NEAR(row[5], 0.9 * row[3], 1e-6);
 }
 
-TEST(TrajectoryWriter, TimesAreExactMultiplesHoweverManySegments) {
+TEST(TrajectoryWriter, TimesAreExactMultiplesForManySegments) {
     const machine::Machine machine = af5();
     StringStream stream;
     TrajectoryWriter writer(stream.out(), machine, 0.01, kNoEnd_s);
@@ -89,7 +89,7 @@ TEST(TrajectoryWriter, TimesAreExactMultiplesHoweverManySegments) {
     }
 }
 
-TEST(TrajectoryWriter, AMoveOfYearsEndsWithTheRun) {
+TEST(TrajectoryWriter, SamplesLongMoveOnlyUpToTimeLimit) {
     const machine::Machine machine = af5();
     StringStream stream;
     TrajectoryWriter writer(stream.out(), machine, 1, 3);
@@ -103,7 +103,7 @@ TEST(TrajectoryWriter, AMoveOfYearsEndsWithTheRun) {
     EXPECT_EQ(table.rows[4][0], 2e12);
 }
 
-TEST(TrajectoryWriter, EmptyRunIsOneInstant) {
+TEST(TrajectoryWriter, WritesOneRowForEmptyRun) {
     const machine::Machine machine = af5();
     StringStream stream;
     TrajectoryWriter writer(stream.out(), machine, 0.01, kNoEnd_s);
@@ -112,7 +112,7 @@ TEST(TrajectoryWriter, EmptyRunIsOneInstant) {
     EXPECT_EQ(stream.text(), "t_s,line,x_mm,y_mm,z_mm,b_deg,c_deg,speed_mm_s\n0,0,1,2,0,0,0,0\n");
 }
 
-TEST(TrajectoryWriter, StepThatIsTooShort) {
+TEST(TrajectoryWriter, RejectsInvalidStep) {
     const machine::Machine machine = af5();
     StringStream stream;
     for (const double step_s : {0.0, -1.0, 1e-7, std::numeric_limits<double>::quiet_NaN()}) {
@@ -120,7 +120,7 @@ TEST(TrajectoryWriter, StepThatIsTooShort) {
     }
 }
 
-TEST(TrajectoryWriter, TooManySamplesAreCutShort) {
+TEST(TrajectoryWriter, TruncatesTooManySamples) {
     const machine::Machine machine = af5();
     for (const std::uint64_t max : {4U, 5U}) {
         StringStream stream;

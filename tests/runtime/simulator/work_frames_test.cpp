@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Machines, WorkFrames, testing::Values("af5", "mill-head
                          });
 
 // A tool frame without an offset and an object frame: the motion is that of the targets transformed by hand.
-TEST_P(WorkFrames, MotionIsThatOfTargetsTransformedByHand) {
+TEST_P(WorkFrames, MotionEqualsThatOfTransformedTargets) {
     Posed framed(GetParam());
     Posed plain(GetParam());
     const bool in_work = plain.cell.work_frames("tool", "stand").has_value();
@@ -62,7 +62,7 @@ TEST_P(WorkFrames, MotionIsThatOfTargetsTransformedByHand) {
 }
 
 // The origin of a tool frame moves straight and evenly in the object frame, though the tool turns.
-TEST_P(WorkFrames, TheToolFrameGoesTheProgrammedWay) {
+TEST_P(WorkFrames, ToolFrameFollowsProgrammedPath) {
     Posed robot(GetParam());
     robot.start();
     const bool in_work = robot.cell.work_frames("tool", "stand").has_value();
@@ -90,7 +90,7 @@ TEST_P(WorkFrames, TheToolFrameGoesTheProgrammedWay) {
     EXPECT_LT((solved - step.joints).cwiseAbs().maxCoeff(), 1e-5);
 }
 
-TEST(WorkFramesOfCells, AFixtureThatIsMovedTakesTargetsAlong) {
+TEST(CellWorkFrames, MovedFixtureMovesTargets) {
     Posed robot("af5");
     robot.start();
     ASSERT_EQ(robot.planner.SelectWorkFrames("tool", "fixture 1"), Status::RRS_SUCCESS);
@@ -106,7 +106,7 @@ TEST(WorkFramesOfCells, AFixtureThatIsMovedTakesTargetsAlong) {
     EXPECT_TRUE(there.linear().isApprox(was.linear(), 1e-9));
 }
 
-TEST(WorkFramesOfCells, ArcsAreInTheObjectFrame) {
+TEST(CellWorkFrames, ArcsAreInObjectFrame) {
     Posed robot("af5");
     robot.start();
     for (const char* tool : {"turned tool", "nozzle tip"}) {
@@ -125,7 +125,7 @@ TEST(WorkFramesOfCells, ArcsAreInTheObjectFrame) {
     }
 }
 
-TEST(WorkFramesOfCells, NamesThatCannotBeMeantAreRefused) {
+TEST(CellWorkFrames, RejectInvalidNames) {
     Posed robot("af5");
     robot.start();
     EXPECT_EQ(robot.planner.SelectWorkFrames("nozle tip", "world"), Status::RRS_UNKNOWN_FRAME);
@@ -142,14 +142,14 @@ TEST(WorkFramesOfCells, NamesThatCannotBeMeantAreRefused) {
 }
 
 // If a table carries the work, objects in the world move against it.
-TEST(WorkFramesOfCells, TargetsAreOnTheTableThatCarriesTheWork) {
+TEST(CellWorkFrames, RejectWorldObjectIfTableCarriesWork) {
     Posed robot("mill-table-table");
     EXPECT_EQ(robot.planner.SelectWorkFrames("tool", "stand"), Status::RRS_INVALID_PARAMETER);
     EXPECT_THAT(robot.message(), HasSubstr("'work'"));
     EXPECT_EQ(robot.planner.SelectWorkFrames("tool", "work"), Status::RRS_SUCCESS);
 }
 
-TEST(WorkFramesOfCells, WithoutACellThereAreNone) {
+TEST(CellWorkFrames, RejectSelectionWithoutCell) {
     motion::DefaultPlanner planner(make_planner_setup(sample("af5")));
     planner.Initialize();
     EXPECT_EQ(planner.SelectWorkFrames("tool", "world"), Status::RRS_SERVICE_NOT_SUPPORTED);

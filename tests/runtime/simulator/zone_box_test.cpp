@@ -37,7 +37,7 @@ void expect_offence(const std::optional<BoxViolation>& violation, double t_s, st
     EXPECT_FALSE(violation->at_start);
 }
 
-TEST(ZoneBox, ALineEntersWhereTheLastAxisComesIn) {
+TEST(ZoneBox, LineEntersWhereLastAxisEnters) {
     const motion::Segment path = line(1, 0, joints(0, 0), joints(80, 60));
     expect_offence(box(false, {8, 100}, {-10, 100}).first_violation(path), time_at(10), 0, false);
     expect_offence(box(false, {8, 100}, {30, 100}).first_violation(path), time_at(50), 1, false);
@@ -45,20 +45,20 @@ TEST(ZoneBox, ALineEntersWhereTheLastAxisComesIn) {
     EXPECT_FALSE(box(false, {0, 40}, {31, 40}).first_violation(path)) << "past the corner at 40, 30";
 }
 
-TEST(ZoneBox, ALineThroughAnEdgeTouchesTheBox) {
+TEST(ZoneBox, LineThroughEdgeTouchesBox) {
     const motion::Segment path = line(1, 0, joints(0, 0), joints(80, 60));
     expect_offence(box(false, {20, 40}, {30, 50}).first_violation(path), time_at(50), 1, false);
     EXPECT_FALSE(box(false, {20, 40}, {30.00001, 50}).first_violation(path));
 }
 
-TEST(ZoneBox, ALineLeavesWhereTheFirstAxisGoesOut) {
+TEST(ZoneBox, LineLeavesWhereFirstAxisLeaves) {
     const motion::Segment path = line(1, 0, joints(0, 0), joints(80, 60));
     expect_offence(box(true, {-1, 40}, {-1, 31}).first_violation(path), time_at(50), 0, true);
     expect_offence(box(true, {-1, 40}, {-1, 27}).first_violation(path), time_at(45), 1, true);
     EXPECT_FALSE(box(true, {0, 80}, {0, 60}).first_violation(path)) << "on its walls";
 }
 
-TEST(ZoneBox, WhatIsForbiddenFromTheStartPassesNoWall) {
+TEST(ZoneBox, ReportsViolationAtStart) {
     const motion::Segment path = line(1, 0, joints(0, 0), joints(80, 60));
     const auto inside = box(false, {-1, 100}, {-2, 100}).first_violation(path);
     ASSERT_TRUE(inside);
@@ -67,7 +67,7 @@ TEST(ZoneBox, WhatIsForbiddenFromTheStartPassesNoWall) {
     EXPECT_TRUE(box(true, {1, 100}, {-2, 100}).first_violation(path)->at_start);
 }
 
-TEST(ZoneBox, AnArcEntersAtItsAngle) {
+TEST(ZoneBox, ArcEntersAtItsAngle) {
     const motion::Segment path = arc(1, 0, 0, 0, 40, 0, 360);
     const double deg = std::numbers::pi / 180;
     // y = 40 sin(phi) reaches 20 at 30 degrees, and again at 150 as it falls.
@@ -80,14 +80,14 @@ TEST(ZoneBox, AnArcEntersAtItsAngle) {
     EXPECT_FALSE(box(false, {30, 100}, {30, 100}).first_violation(path)) << "in the corner of its square";
 }
 
-TEST(ZoneBox, AnArcLeavesAtItsAngle) {
+TEST(ZoneBox, ArcLeavesAtItsAngle) {
     const motion::Segment path = arc(1, 0, 0, 0, 40, 0, 360);
     const double angle = std::acos(-39.9 / 40);
     expect_offence(box(true, {-39.9, 50}, {-50, 50}).first_violation(path), time_at(40 * angle), 0, false);
     EXPECT_FALSE(box(true, {-40, 40}, {-40, 40}).first_violation(path)) << "it touches all four walls";
 }
 
-TEST(ZoneBox, AHelixEntersWhenItIsHighEnoughAndWhereTheBoxIs) {
+TEST(ZoneBox, HelixEntersAtHeightAndAngleOfBox) {
     motion::Segment path = arc(1, 0, 0, 0, 10, 0, 3600);
     path.arc.lift = {0, 0, 100};
     path.end = joints(10, 0, 100);
@@ -106,7 +106,7 @@ TEST(ZoneBox, AHelixEntersWhenItIsHighEnoughAndWhereTheBoxIs) {
 }
 
 // Two motions run at once, of which one takes x back.
-TEST(ZoneBox, TwoMotionsAtOnceEnterAtTheRootOfTheirSum) {
+TEST(ZoneBox, SuperimposedMotionsCrossWallsAtRootOfSum) {
     const motion::LawSection slowing{1, 0, 50, -50, 0};
     const motion::LawSection gaining{1, 0, 0, 50, 0};
     motion::Segment path;
@@ -129,7 +129,7 @@ TEST(ZoneBox, TwoMotionsAtOnceEnterAtTheRootOfTheirSum) {
 }
 
 // A circle in the frame of a conveyor: an arc, and a straight motion at once.
-TEST(ZoneBox, AnArcOnAConveyorPassesWallsWhereBothWaysTogetherDo) {
+TEST(ZoneBox, ArcOnConveyorCrossesWallsBySumOfPaths) {
     motion::Segment path = arc(1, 0, 0, 0, 40, 0, 720);
     const motion::LawSection steady{path.duration_s, 0, 10, 0, 0};
     auto belt = std::make_shared<motion::Segment>(line(1, 0, joints(0, 0), joints(10 * path.duration_s, 0)));
@@ -157,7 +157,7 @@ TEST(ZoneBox, AnArcOnAConveyorPassesWallsWhereBothWaysTogetherDo) {
                    time_at(40 * std::numbers::pi / 6), 1, false);
 }
 
-TEST(ZoneBox, BesideALawOfItsOwnAnAxisPassesItsWallByThat) {
+TEST(ZoneBox, FollowerCrossesWallByItsTimeLaw) {
     motion::Segment path = line(1, 0, joints(0, 0), joints(100, 0));
     const double duration_s = path.duration_s;
     const motion::LawSection steady{duration_s, 0, 30 / duration_s, 0, 0};

@@ -105,7 +105,7 @@ struct Case {
 
 class ZonesWithEachPlanner : public testing::TestWithParam<Case> {};
 
-TEST_P(ZonesWithEachPlanner, EndTheRunAtTheFirstInstantThatIsNotAllowed) {
+TEST_P(ZonesWithEachPlanner, EndRunAtFirstForbiddenInstant) {
     int hits = 0;
     for (unsigned seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -173,7 +173,7 @@ void expect_entries(const machine::Zone& zone, const Collected& run, const std::
     }
 }
 
-TEST_P(ZonesWithEachPlanner, OrElseListEachEntryAndChangeNothing) {
+TEST_P(ZonesWithEachPlanner, ListEachEntryWithoutChangingMotion) {
     std::size_t entries = 0;
     for (unsigned seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -241,7 +241,7 @@ Simulator& with_look_ahead(std::unique_ptr<Simulator>& simulator) {
     return *simulator;
 }
 
-TEST(ZoneMonitor, TheAlarmNamesTheBlockOfTheMotionNotTheOneThatIsRead) {
+TEST(ZoneMonitor, AlarmNamesMovingBlockNotReadBlock) {
     std::unique_ptr<Simulator> owner;
     Simulator& simulator = with_look_ahead(owner);
     simulator.program().zones().set_data(security_zone(100, 200));
@@ -268,7 +268,7 @@ TEST(ZoneMonitor, TheAlarmNamesTheBlockOfTheMotionNotTheOneThatIsRead) {
     EXPECT_NEAR(report.bounds[0].max, 100, 1e-9);
 }
 
-TEST(ZoneMonitor, SwitchesHoldFromTheNextTargetOn) {
+TEST(ZoneMonitor, SwitchesApplyFromNextTarget) {
     for (const bool on_behind : {true, false}) {
         std::unique_ptr<Simulator> owner;
         Simulator& simulator = with_look_ahead(owner);
@@ -286,7 +286,7 @@ TEST(ZoneMonitor, SwitchesHoldFromTheNextTargetOn) {
     }
 }
 
-TEST(ZoneMonitor, TheToolsEndCountsWithTheOffsetOfItsMove) {
+TEST(ZoneMonitor, AppliesToolOffsetOfEachMove) {
     Simulator simulator(af5(), {.stop_at_first = true});
     simulator.program().zones().set_data(security_zone(100, 200));
     simulator.moves().enqueue(line_to(90, 0, {0, 1}));
@@ -300,7 +300,7 @@ TEST(ZoneMonitor, TheToolsEndCountsWithTheOffsetOfItsMove) {
     EXPECT_NEAR(report.bounds[0].max, 130, 1e-9);
 }
 
-TEST(ZoneMonitor, AToolThatStandsWhereItMustNotEndsTheRunWhereTheZoneBeginsToHold) {
+TEST(ZoneMonitor, EndsRunIfToolIsInZoneAtActivation) {
     Simulator simulator(af5(), {.stop_at_first = true});
     simulator.program().zones().set_data(security_zone(100, 200));
     simulator.program().zones().switch_zones(2, false);
@@ -315,7 +315,7 @@ TEST(ZoneMonitor, AToolThatStandsWhereItMustNotEndsTheRunWhereTheZoneBeginsToHol
     EXPECT_EQ(report.cycle_time_s, stands_s);
 }
 
-TEST(ZoneMonitor, WallsOnAnAxisThatTheMachineHasNotAreLeftOutWithAWarning) {
+TEST(ZoneMonitor, WarnsAboutWallsOnMissingAxis) {
     machine::Machine machine = af5();
     for (machine::Axis& axis : machine.axes) axis.letter = axis.letter == 'X' ? 'U' : axis.letter;
     Simulator simulator(machine, {});

@@ -27,7 +27,7 @@ std::vector<std::string> messages_of_run(const std::string& text = kShort) {
     return messages;
 }
 
-TEST(LeanMessage, HasTheWayOfTheTipAndWhatItStandsFor) {
+TEST(CompactMessage, ContainsTcpPathAndTimeRange) {
     int segments = 0;
     for (const std::string& message : messages_of_run()) {
         const Frame full = read_frame(message);
@@ -56,7 +56,7 @@ std::pair<Frame, Frame> lean_and_whole(const std::string& text) {
     throw std::logic_error("nothing has moved");
 }
 
-TEST(LeanMessage, VerticesSayTheirSegmentAndWhatIsDrawnOfIt) {
+TEST(CompactMessage, VerticesEncodeSegmentMoveLimitProcessAndSpeed) {
     const auto [compact, full] = lean_and_whole(kShort);
     const auto packed = compact.column<std::uint32_t>("vertex_segment");
     const auto segment = full.column<std::uint32_t>("vertex_segment");
@@ -91,7 +91,7 @@ std::string late_message() {
     return message.bytes();
 }
 
-TEST(LeanMessage, TimesAreThoseSinceItsStart) {
+TEST(CompactMessage, TimesAreRelativeToMessageStart) {
     const auto lean_bytes = compact_message(late_message());
     ASSERT_TRUE(lean_bytes);
     const auto times_s = read_frame(*lean_bytes).column<float>("vertex_s");
@@ -100,7 +100,7 @@ TEST(LeanMessage, TimesAreThoseSinceItsStart) {
     for (std::size_t i = 0; i < times_s.size(); ++i) EXPECT_NEAR(times_s[i], wanted_s[i], 1e-9) << i;
 }
 
-TEST(LeanMessage, WhatStandsStillHasNoSpeed) {
+TEST(CompactMessage, DwellHasNoSpeed) {
     // The very first vertex is the start of a run: a dwell has only that one.
     const auto [compact, full] = lean_and_whole("G21 G90\nG4 P1\nM2\n");
     const auto packed = compact.column<std::uint32_t>("vertex_segment");
@@ -109,7 +109,7 @@ TEST(LeanMessage, WhatStandsStillHasNoSpeed) {
     EXPECT_EQ(packed[0] >> 16U & 15U, 4U) << "dwell";
 }
 
-TEST(LeanMessage, LinesAreToldByStretchesWithOneStep) {
+TEST(CompactMessage, EncodesLinesAsRangesWithOneStep) {
     std::string text = "G21 G90 F6000\n";
     for (int i = 1; i <= 5; ++i) text += "G1 X" + std::to_string(i) + "\n";
     text += "\nG1 Y1\n\nG1 Y2\n\nG1 Y3\nM2\n";  // from line 8 on, with empty lines between
@@ -117,7 +117,7 @@ TEST(LeanMessage, LinesAreToldByStretchesWithOneStep) {
     EXPECT_EQ(compact.column<std::uint32_t>("lines"), (std::vector<std::uint32_t>{0, 0, 2, 1, 5, 0, 8, 2}));
 }
 
-TEST(LeanMessage, LinesOfALoopGoBack) {
+TEST(CompactMessage, EncodesLinesOfLoop) {
     const std::string text =
         "G21 G90 F6000\n#1=0\nWHILE[#1LT3]DO1\nG91 G1 X1\nG1 Y1\nG1 X-1\n#1=[#1+1]\nEND1\nM2\n";
     const auto [compact, full] = lean_and_whole(text);
@@ -134,7 +134,7 @@ TEST(LeanMessage, LinesOfALoopGoBack) {
     EXPECT_EQ(reported, line);
 }
 
-TEST(LeanMessage, WhatIsNoMessageIsRefused) {
+TEST(CompactMessage, RejectsInvalidMessage) {
     const std::string message = messages_of_run().at(1);
     EXPECT_THROW(compact_message(""), std::invalid_argument);
     EXPECT_THROW(compact_message(message.substr(0, 20)), std::invalid_argument);

@@ -53,7 +53,7 @@ std::string error(json request) {
     return make_error(request.dump());
 }
 
-TEST(ContoursForm, ListsWhatCouldBeCut) {
+TEST(ContoursForm, ListsCuttableContours) {
     const Asked request_json =
         ask({{"do", "contours"},
              {"drawing", "part.step"},
@@ -83,7 +83,7 @@ TEST(ContoursForm, ListsWhatCouldBeCut) {
     EXPECT_EQ(last(request_json.frames).is(), "done");
 }
 
-TEST(ContoursForm, RefusesWhatItDoesNotKnow) {
+TEST(ContoursForm, RejectsInvalidRequests) {
     EXPECT_EQ(error({{"drawing", "part.step"}}), "contours of a part needs 'contours'");
     EXPECT_THAT(error({{"contours", {{"kind", "holes"}}}}), HasSubstr("'drawing'"));
     EXPECT_THAT(error({{"drawing", "part.step"}, {"contours", "holes"}}),

@@ -42,7 +42,7 @@ std::string with_single_blanks(const std::string& text) {
     return single;
 }
 
-TEST(DataForm, WithoutChangesTheFileIsAsItWas) {
+TEST(DataForm, KeepsFileWithoutChanges) {
     const Frame data = data_after(json::array());
     EXPECT_EQ(data.columns.at("text"), kTools);
     const json entries = data.header["entries"];
@@ -52,7 +52,7 @@ TEST(DataForm, WithoutChangesTheFileIsAsItWas) {
     EXPECT_FALSE(entries.contains("HOME"));
 }
 
-TEST(DataForm, TellsWhatFieldsThereAre) {
+TEST(DataForm, ListsFieldsOfSections) {
     const json sections = data_after(json::array()).header["sections"];
     ASSERT_EQ(sections.size(), 9U);
     EXPECT_EQ(sections[0]["name"], "OFFSET");
@@ -75,7 +75,7 @@ TEST(DataForm, TellsWhatFieldsThereAre) {
     EXPECT_EQ(walls[8]["max"], 99);
 }
 
-TEST(DataForm, AnEntryIsChangedInItsLineAlone) {
+TEST(DataForm, ChangesOnlyLineOfEntry) {
     EXPECT_EQ(text_after(json::array({set_offset({{"X", "201.50"}})})), tools_with("200.000", "201.50"));
     const json tool{
         {"op", "set"}, {"section", "TOOL"}, {"id", "1"}, {"values", {{"LENGTH", "2"}}}, {"unit", "inch"}};
@@ -83,7 +83,7 @@ TEST(DataForm, AnEntryIsChangedInItsLineAlone) {
               tools_with("50.8 10 JET # 2 inch", "2 0.393700787401575 JET  inch # 2 inch"));
 }
 
-TEST(DataForm, APointHasAName) {
+TEST(DataForm, SetsNameOfPointAndRejectsDuplicate) {
     const json named{
         {"op", "set"}, {"section", "FIXED"}, {"id", "3"}, {"values", {{"X", "10"}, {"NAME", "CLAMP1"}}}};
     EXPECT_EQ(text_after(json::array({named})),
@@ -95,7 +95,7 @@ TEST(DataForm, APointHasAName) {
               "tools.txt: the name CLAMP1 of a fixed point is given twice; first in line 9");
 }
 
-TEST(DataForm, RemarksOutliveASequenceOfChanges) {
+TEST(DataForm, KeepsCommentsOverSeveralChanges) {
     const std::string text =
         text_after({set_offset({{"Z", "-7"}}),
                     {{"op", "set"}, {"section", "OFFSET"}, {"id", "55"}, {"values", {{"X", "10"}}}},
@@ -108,7 +108,7 @@ TEST(DataForm, RemarksOutliveASequenceOfChanges) {
         "metric # 2 inch\nALIAS\nJetOn M08\nENDFILE\n");
 }
 
-TEST(DataForm, AllOfASectionOrOfTheFileIsReset) {
+TEST(DataForm, ResetsSectionOrFile) {
     EXPECT_EQ(text_after(json::array({{{"op", "reset_all"}, {"section", "ALIAS"}}})),
               tools_with("JetOn M08\n", ""));
     const json entries = data_after(json::array({{{"op", "reset_all"}}})).header["entries"];
@@ -117,7 +117,7 @@ TEST(DataForm, AllOfASectionOrOfTheFileIsReset) {
     EXPECT_FALSE(entries.contains("ALIAS"));
 }
 
-TEST(DataForm, ANameWithoutAFileIsNewData) {
+TEST(DataForm, CreatesDataForUnknownFileName) {
     const std::string request_json =
         json{{"do", "data"}, {"file", "new.txt"}, {"changes", json::array({set_offset({{"X", "1"}})})}}
             .dump();
@@ -125,7 +125,7 @@ TEST(DataForm, ANameWithoutAFileIsNewData) {
     EXPECT_EQ(data.columns.at("text"), "NCFILE\nOFFSET\n54  1  0  0\nENDFILE\n");
 }
 
-TEST(DataForm, AxesAreThoseOfTheMachineOfTheCell) {
+TEST(DataForm, UsesAxesOfMachineOfCell) {
     const Files files{{"tools.txt", "NCFILE\nOFFSET\n54 1 2 3 4\nENDFILE\n"},
                       {"cell.toml", "[cell]\nname = \"c\"\nmachine = \"mill.toml\"\n"},
                       {"mill.toml", sample("machines/mill-head-table.toml")}};
@@ -134,7 +134,7 @@ TEST(DataForm, AxesAreThoseOfTheMachineOfTheCell) {
     EXPECT_EQ(data.header["entries"]["OFFSET"][0]["B"], 4);
 }
 
-TEST(DataForm, WhatIsSuspectIsTold) {
+TEST(DataForm, WarnsOfSuspiciousEntry) {
     const auto frames =
         request_frames(data_request(json::array()), {{"tools.txt", "NCFILE\nALIAS\nJetOn M9999\nENDFILE\n"}});
     const auto reported = filter_frames(frames, "diagnostic");
@@ -143,7 +143,7 @@ TEST(DataForm, WhatIsSuspectIsTold) {
     EXPECT_EQ(reported[0].header["line"], 3);
 }
 
-TEST(DataForm, AFaultyFileIsToldLineByLineAndFails) {
+TEST(DataForm, ReportsEachErrorOfInvalidFile) {
     const auto frames =
         request_frames(data_request(json::array()), {{"tools.txt", "NCFILE\nTOOL\n1 a 2\n2 3 b\nENDFILE\n"}});
     EXPECT_EQ(filter_frames(frames, "diagnostic").size(), 2U);
@@ -151,7 +151,7 @@ TEST(DataForm, AFaultyFileIsToldLineByLineAndFails) {
     EXPECT_EQ(last(frames).is(), "failed");
 }
 
-TEST(DataForm, AChangeThatCannotBeMadeFailsInASentence) {
+TEST(DataForm, RejectsInvalidChanges) {
     const auto error = [](const json& change) {
         return make_error(data_request(json::array({change})), {{"tools.txt", kTools}});
     };

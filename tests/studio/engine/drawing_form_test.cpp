@@ -75,7 +75,7 @@ Frame path_of(const json& request_json) {
     return paths.empty() ? last(frames) : paths.front();
 }
 
-TEST(DrawingForm, ASquareIsCutHalfAKerfOutside) {
+TEST(DrawingForm, ReturnsPathAndMetricsOfSquare) {
     const Frame path = path_of(by_figures("square.svg"));
     ASSERT_TRUE(path.columns.contains("text")) << path.header;
     const json metrics = path.header["figures"];
@@ -91,7 +91,7 @@ TEST(DrawingForm, ASquareIsCutHalfAKerfOutside) {
     EXPECT_EQ(json_path["name"], "square");
 }
 
-TEST(DrawingForm, AMaterialSettlesFeedsAndPrice) {
+TEST(DrawingForm, MaterialDeterminesFeedsAndPrice) {
     const Frame path = path_of({{"drawing", "plate.svg"}, {"material", "aluminum"}, {"thickness_mm", 12}});
     ASSERT_TRUE(path.header.contains("job")) << path.header;
     const json job = path.header["job"];
@@ -108,7 +108,7 @@ TEST(DrawingForm, AMaterialSettlesFeedsAndPrice) {
     EXPECT_LT(path_of(finer).header["job"]["speed_mm_min"], job["speed_mm_min"]);
 }
 
-TEST(DrawingForm, TheJetMayLeanAgainstItsTaperAndPierceMoving) {
+TEST(DrawingForm, AppliesTaperCompensationAndDynamicPierce) {
     json request_json = {{"drawing", "plate.svg"}, {"material", "aluminum"}, {"thickness_mm", 12}};
     const auto axes = [&] {
         const json program = text::parse_json<json>(path_of(request_json).columns.at("text"));
@@ -130,7 +130,7 @@ TEST(DrawingForm, TheJetMayLeanAgainstItsTaperAndPierceMoving) {
 }
 
 // From the drawing to the machine: all three requests in sequence.
-TEST(DrawingForm, APathIsWrittenAndRun) {
+TEST(DrawingForm, PathCanBeWrittenAndRun) {
     json request_json = by_figures("plate.svg");
     request_json["origin_mm"] = {200, 400, 50};
     const Frame path = path_of(request_json);
@@ -149,7 +149,7 @@ TEST(DrawingForm, APathIsWrittenAndRun) {
     EXPECT_GT(report["cycle_time_s"].get<double>(), min_s);
 }
 
-TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
+TEST(DrawingForm, RejectsInvalidRequests) {
     const auto error = [](const json& request_json) {
         return make_error(drawing_request(request_json), files_of_drawings());
     };
@@ -187,7 +187,7 @@ TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
     EXPECT_THAT(error(by_figures("none.svg")), HasSubstr("none.svg"));
 }
 
-TEST(DrawingForm, WhatStandsThereIsLookedAt) {
+TEST(DrawingForm, ReportsCollisionsWithCell) {
     const auto error = [](const json& request_json) {
         return make_error(drawing_request(request_json), files_of_drawings());
     };
@@ -205,7 +205,7 @@ TEST(DrawingForm, WhatStandsThereIsLookedAt) {
     EXPECT_THAT(error(request_json), HasSubstr("none.toml"));
 }
 
-TEST(MaterialsForm, AreThoseOfTheFile) {
+TEST(MaterialsForm, ListsMaterialsOfFile) {
     const json built_in =
         filter_frames(request_frames(R"({"do": "materials"})"), "materials").at(0).header["materials"];
     EXPECT_GT(built_in.size(), 5U);

@@ -38,7 +38,7 @@ ConsumedKeys taken(const json& object) {
     return all;
 }
 
-TEST(KeyReader, TakeEachValueByItsType) {
+TEST(KeyReader, ReadsEachValueByType) {
     const ConsumedKeys all = taken({{"text", "a"},
                                     {"number", 3.5},
                                     {"whole", 3},
@@ -59,11 +59,11 @@ TEST(KeyReader, TakeEachValueByItsType) {
     EXPECT_EQ(all.point, (std::array<double, 3>{1, 2, 3}));
 }
 
-TEST(KeyReader, LeaveAPlaceAloneThatNothingIsSaidOf) {
+TEST(KeyReader, KeepsDefaultOfMissingKey) {
     EXPECT_EQ(taken({{"text", "a"}}).number, 7);
 }
 
-TEST(KeyReader, NameTheFirstThatIsWrong) {
+TEST(KeyReader, ReportsFirstInvalidKey) {
     EXPECT_EQ(taken({{"text", 3}}).error, "'text' must be a string, not 3");
     EXPECT_EQ(taken({{"number", 101}}).error, "'number' must be from 0 to 100, not 101");
     EXPECT_EQ(taken({{"whole", 7}}).error, "'whole' must be from 1 to 6, not 7");

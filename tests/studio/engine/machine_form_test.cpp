@@ -34,7 +34,7 @@ std::vector<std::string> reported(const std::vector<Frame>& frames) {
     return all;
 }
 
-TEST(MachineForm, AMachineIsCheckedAsForPeopleAndForPrograms) {
+TEST(MachineForm, ReturnsCheckAsTextAndJson) {
     const auto frames = request_frames(kAsked, {{"m.toml", kMachine}});
     ASSERT_EQ(last(frames).is(), "done") << last(frames).header;
     const Frame response = filter_frames(frames, "machine").at(0);
@@ -43,7 +43,7 @@ TEST(MachineForm, AMachineIsCheckedAsForPeopleAndForPrograms) {
     EXPECT_EQ(request_frames(R"({"do": "machine"})").back().is(), "done");  // the one that is built in
 }
 
-TEST(MachineForm, EachFaultOfAMachineIsToldAtItsPlace) {
+TEST(MachineForm, ReportsEachErrorOfMachineWithLocation) {
     std::string machine = with(kMachine, "name = \"small\"", "name = \"small\"\ninverted = 3");
     machine = with(machine, "max_mm = 100.0", "max_mm = \"far\"\nmax_speed_mm_s = -1.0");
     machine += "[[axis]]\nletter = \"X\"\nkind = \"linear\"\nmin_mm = 5.0\nmax_mm = 1.0\ndirection = \"x\"\n";
@@ -61,7 +61,7 @@ TEST(MachineForm, EachFaultOfAMachineIsToldAtItsPlace) {
               "m.toml:3:1: unknown key 'inverted' in [machine]; did you mean 'inverse'?");
 }
 
-TEST(MachineForm, EachFaultOfACellIsToldAtItsPlace) {
+TEST(MachineForm, ReportsEachErrorOfCellWithLocation) {
     const Files files{{"m.toml", kMachine},
                       {"c.toml",
                        "[cell]\nname = 3\nmachine = \"m.toml\"\n[[object]]\nname = \"a\"\nattached_to = "
@@ -80,7 +80,7 @@ TEST(MachineForm, EachFaultOfACellIsToldAtItsPlace) {
     EXPECT_EQ(last(frames).is(), "failed");
 }
 
-TEST(MachineForm, WhatIsNoTomlOrNotThereIsTold) {
+TEST(MachineForm, ReportsInvalidAndMissingFiles) {
     EXPECT_EQ(reported(request_frames(kAsked, {{"m.toml", "[machine\n"}})).at(0).substr(0, 10), "m.toml:1:9");
     EXPECT_EQ(reported(request_frames(R"({"do": "machine", "cell": "c.toml"})", {{"c.toml", "a = \n"}}))
                   .at(0)
@@ -90,7 +90,7 @@ TEST(MachineForm, WhatIsNoTomlOrNotThereIsTold) {
     EXPECT_EQ(last(request_frames(kAsked)).is(), "failed");
 }
 
-TEST(MachineForm, AControllerOfOnesOwnIsReadFromThePage) {
+TEST(MachineForm, ReadsCustomControllerFromPage) {
     const std::string machine = std::string(kMachine) + "[controller]\nmodel = \"own.toml\"\n";
     EXPECT_EQ(
         last(request_frames(kAsked, {{"m.toml", machine}, {"own.toml", "[controller]\nname = \"mine\"\n"}}))

@@ -7,7 +7,7 @@
 namespace gsim::studio {
 namespace {
 
-TEST(Message, HasItsSizeItsHeaderAndItsColumnsAtMultiplesOfEight) {
+TEST(Message, ContainsSizeHeaderAndAlignedColumns) {
     Message message("segments");
     message.header()["robot"] = 1;
     message.add("start_s", std::vector<double>{0.5, 1.25, -3});
@@ -26,14 +26,14 @@ TEST(Message, HasItsSizeItsHeaderAndItsColumnsAtMultiplesOfEight) {
     EXPECT_EQ(frame.columns.at("lua"), "G1{}");
 }
 
-TEST(Message, CanBeAHeaderAloneAndHaveColumnsOfNothing) {
+TEST(Message, AcceptsNoColumnsAndEmptyColumns) {
     EXPECT_EQ(read_frame(Message("done").bytes()).is(), "done");
     Message empty("segments");
     empty.add("start_s", std::vector<double>{});
     EXPECT_TRUE(read_frame(empty.bytes()).column<double>("start_s").empty());
 }
 
-TEST(Message, BytesThatAreNoUtf8DoNotBreakItsHeader) {
+TEST(Message, ReplacesInvalidUtf8InHeader) {
     Message message("diagnostic");
     message.header()["text"] = "\xff\xfe";
     EXPECT_EQ(read_frame(message.bytes()).header["text"], "\xef\xbf\xbd\xef\xbf\xbd");

@@ -32,7 +32,7 @@ json request_pose(const json& request_json) {
     return poses.empty() ? last(frames).header : poses.front().header;
 }
 
-TEST(PoseForm, TellsWhereAMachineStands) {
+TEST(PoseForm, ReturnsPoseOfJoints) {
     const json pose = request_pose({{"machine", "router.toml"}, {"joints", {100, 50, -20}}});
     ASSERT_EQ(pose["is"], "pose") << pose;
     EXPECT_EQ(pose["joints"], json({100, 50, -20}));
@@ -44,7 +44,7 @@ TEST(PoseForm, TellsWhereAMachineStands) {
     EXPECT_EQ(pose["collisions"], json::array());
 }
 
-TEST(PoseForm, FindsTheAxesForATip) {
+TEST(PoseForm, FindsAxesForTcp) {
     const json pose = request_pose({{"machine", "mill.toml"},
                                     {"tip_mm", {10, 20, 30}},
                                     {"tool_axis", {1, 0, 2}},
@@ -56,7 +56,7 @@ TEST(PoseForm, FindsTheAxesForATip) {
 }
 
 // A path at the same point with the same axis of the tool is written with one of the solutions.
-TEST(PoseForm, IsInTheFrameOfPaths) {
+TEST(PoseForm, UsesFrameOfPaths) {
     for (const std::string machine : {"mill.toml", "mill2.toml", "offset.toml"}) {
         const json pose =
             request_pose({{"machine", machine}, {"tip_mm", {60, 70, 80}}, {"tool_axis", {0.1, 0.2, 1}}});
@@ -86,7 +86,7 @@ TEST(PoseForm, IsInTheFrameOfPaths) {
 }
 
 // The TCP that a run draws after G43 is that of a pose.
-TEST(PoseForm, TheLengthOfAToolIsThatOfItsCompensation) {
+TEST(PoseForm, ToolLengthMatchesCompensationOfRun) {
     for (const std::string machine : {"", "mill.toml", "mill2.toml", "router.toml"}) {
         Files files = files_of_poses();
         files["part.nc"] = "G21 G90\nG43 H1\nG0 X10\nM2\n";
@@ -113,7 +113,7 @@ TEST(PoseForm, TheLengthOfAToolIsThatOfItsCompensation) {
     }
 }
 
-TEST(PoseForm, NamesWhatTouchesInTheCell) {
+TEST(PoseForm, ReportsContactsInCell) {
     const json pose = request_pose({{"cell", "cell/table.toml"}, {"tip_mm", {100, 400, 10}}});
     ASSERT_EQ(pose["is"], "pose") << pose;
     const json pair = {"nozzle", "left clamp"};
@@ -123,7 +123,7 @@ TEST(PoseForm, NamesWhatTouchesInTheCell) {
     EXPECT_EQ(free["collisions"], json::array());
 }
 
-TEST(PoseForm, WhatCannotBeFailsInASentence) {
+TEST(PoseForm, RejectsInvalidRequests) {
     const auto error = [](const json& request_json) {
         return make_error(pose_request(request_json), files_of_poses());
     };

@@ -12,7 +12,7 @@ std::string error_message(const json& request_json) {
     return request ? "" : request.error().message;
 }
 
-TEST(RunRequest, TakesWhatAPageMayAskFor) {
+TEST(RunRequest, ReadsRequestOfPage) {
     const auto request = run_request({{"program", "part.nc"},
                                       {"machine", "mine.toml"},
                                       {"dialect", "rs274ngc"},
@@ -30,7 +30,7 @@ TEST(RunRequest, TakesWhatAPageMayAskFor) {
     EXPECT_TRUE(request->explain);
 }
 
-TEST(RunRequest, NamesTheKeyThatItDoesNotTake) {
+TEST(RunRequest, ErrorsNameInvalidKey) {
     EXPECT_EQ(error_message({{"programme", "part.nc"}}), "unknown key 'programme' of a run");
     EXPECT_EQ(error_message({{"program", 3}}), "'program' must be a string, not 3");
     EXPECT_EQ(error_message({{"blocks", "many"}}), "'blocks' must be a number, not of type string");
@@ -41,7 +41,7 @@ TEST(RunRequest, NamesTheKeyThatItDoesNotTake) {
     EXPECT_EQ(error_message(json::array()), "a request must be an object");
 }
 
-TEST(TranslationRequest, IsOfTheSameProgramAndLanguage) {
+TEST(TranslationRequest, KeepsProgramAndLanguageOfRun) {
     auto request = run_request({{"program", "part.nc"}, {"machine", "mine.toml"}, {"dialect", "rs274ngc"}});
     ASSERT_TRUE(request);
     const engine::TranslationRequest translation = translation_request(*request);

@@ -20,7 +20,7 @@ Frame frame_of(const Series& series) {
     return read_frame(message.bytes());
 }
 
-TEST(Series, HasItsInstantsWhileTheyAreFew) {
+TEST(Series, KeepsSamplesBelowLimit) {
     Series series(2, 8);
     EXPECT_TRUE(series.empty());
     series.add(0, std::array{1.0F, 2.0F});
@@ -35,7 +35,7 @@ TEST(Series, HasItsInstantsWhileTheyAreFew) {
 }
 
 // A saw of a second, up by 1 and down at once, and a peak of no time in it.
-TEST(Series, OfMoreNoPeakIsLostAndNoneIsMade) {
+TEST(Series, ReductionKeepsPeaksAndAddsNone) {
     Series series(1, 16);
     for (int second = 0; second < 1000; ++second) {
         series.add(second, std::array{0.0F});
@@ -59,7 +59,7 @@ TEST(Series, OfMoreNoPeakIsLostAndNoneIsMade) {
 }
 
 // A long straight part has in each step its value there.
-TEST(Series, StepsWithoutAnInstantHaveWhatIsBetweenTheirs) {
+TEST(Series, InterpolatesStepsWithoutSamples) {
     Series series(1, 8);
     for (int i = 0; i <= 8; ++i) series.add(0.001 * i, std::array{0.0F});
     series.add(0.008, std::array{0.0F});
@@ -76,7 +76,7 @@ TEST(Series, StepsWithoutAnInstantHaveWhatIsBetweenTheirs) {
     }
 }
 
-TEST(Series, WhereThereIsNoValueThereIsNone) {
+TEST(Series, KeepsGapsWithoutValues) {
     Series series(1, 4);
     for (const double t_s : {0.0, 1.0, 2.0, 3.0}) series.add(t_s, std::array{5.0F});
     series.add(4, std::array{kNoValue});

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kRun = R"({"do": "run", "program": "part.nc"})";
 
-TEST(Session, ARunTellsTheSceneTheSegmentsAndTheReport) {
+TEST(Session, RunSendsSceneSegmentsAndReport) {
     const auto frames =
         request_frames(kRun, {{"part.nc", "G21 G90\nG0 X10\nG1 X10 Y20 F6000\nG2 X30 Y20 I10\nM2\n"}});
     EXPECT_EQ(last(frames).is(), "done");
@@ -33,7 +33,7 @@ TEST(Session, ARunTellsTheSceneTheSegmentsAndTheReport) {
                 1e-9);
 }
 
-TEST(Session, TheDrawnWayIsWithinAHundredthOfTheArc) {
+TEST(Session, DrawnPathIsWithinHundredthOfMmOfArc) {
     const auto frames = request_frames(kRun, {{"part.nc", "G21 G90 F6000\nG1 X100\nG2 X100 I-50\nM2\n"}});
     const Frame segments = filter_frames(frames, "segments").at(0);
     const auto vertices = segments.column<float>("vertex_mm");
@@ -53,7 +53,7 @@ TEST(Session, TheDrawnWayIsWithinAHundredthOfTheArc) {
     EXPECT_LT(is_on_arc, 400U);
 }
 
-TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
+TEST(Session, DrawnPathFollowsTcp) {
     const auto frames = request_frames(R"({"do": "run", "program": "part.nc", "machine_data": "tools.txt"})",
                                        {{"part.nc", "G21 G90\nG0 Z100\nG43 H1\nG0 Z100\nM2\n"},
                                         {"tools.txt", "NCFILE\nTOOL\n1 30 2\nENDFILE\n"}});
@@ -71,7 +71,7 @@ TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
                 1e-9);
 }
 
-TEST(Session, TheDrawnWayWindsWithATurningTable) {
+TEST(Session, DrawnPathWindsWithRotaryTable) {
     std::string machine = sample("machines/mill-table-table.toml");
     const std::string shortest = "turning = \"shortest\"";
     machine.erase(machine.find(shortest), shortest.size());  // full turns are made
@@ -92,7 +92,7 @@ TEST(Session, TheDrawnWayWindsWithATurningTable) {
     EXPECT_NEAR(rotation_rad, 8 * std::numbers::pi, 1e-3);
 }
 
-TEST(Session, AProgramIsCheckedInTheLanguageOfItsCellsMachine) {
+TEST(Session, ChecksProgramInDialectOfCellMachine) {
     const Files files{
         {"part.nc", "G64 P0.1\n#<a> = 3\nG1 X[#<a>] F100\nM2\n"},
         {"cell.toml", "[cell]\nname = \"c\"\nmachine = \"mine.toml\"\n"},
@@ -109,7 +109,7 @@ TEST(Session, AProgramIsCheckedInTheLanguageOfItsCellsMachine) {
         0U);
 }
 
-TEST(Session, WhatIsWrongIsToldWithItsPlace) {
+TEST(Session, ReportsErrorWithLocation) {
     const auto frames =
         request_frames(R"({"do": "check", "program": "part.nc"})", {{"part.nc", "G0 X1\nG999\n"}});
     const auto reported = filter_frames(frames, "diagnostic");
@@ -120,7 +120,7 @@ TEST(Session, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_EQ(last(frames).is(), "done");
 }
 
-TEST(Session, ATranslationIsLineByLine) {
+TEST(Session, TranslatesLineByLine) {
     const auto frames =
         request_frames(R"({"do": "translate", "program": "part.nc"})", {{"part.nc", "G21\nG0 X1\nM2\n"}});
     const auto scripts = filter_frames(frames, "script");
@@ -138,7 +138,7 @@ std::string channel_names(const Frame& frame) {
     return names;
 }
 
-TEST(Session, AMachineWithMassesAndServoLoopsTellsThemOverTime) {
+TEST(Session, SendsEffortsAndFollowingErrorsOverTime) {
     const auto frames = request_frames(R"({"do": "run", "program": "part.nc", "machine": "gantry.toml"})",
                                        {{"part.nc", "G21 G90\nG1 X100 Y-50 F6000\nG0 X0\nM2\n"},
                                         {"gantry.toml", sample("machines/gantry-dynamics.toml")}});
@@ -165,19 +165,19 @@ TEST(Session, AMachineWithMassesAndServoLoopsTellsThemOverTime) {
     EXPECT_NEAR(following.column<double>("t_s").back(), report["cycle_time_s"].get<double>(), 1e-9);
 }
 
-TEST(Session, OtherMachinesTellNeither) {
+TEST(Session, SendsNoEffortsOrFollowingErrorsByDefault) {
     const auto frames = request_frames(kRun, {{"part.nc", "G21 G90\nG0 X10\nM2\n"}});
     EXPECT_EQ(filter_frames(frames, "efforts").size() + filter_frames(frames, "following").size(), 0U);
 }
 
-TEST(Session, ARefusedProgramHasAReportAndFails) {
+TEST(Session, RejectedProgramHasReportAndFails) {
     const auto frames = request_frames(kRun, {{"part.nc", "G999\n"}});
     EXPECT_EQ(filter_frames(frames, "report").size(), 1U);
     EXPECT_EQ(last(frames).is(), "failed");
     EXPECT_EQ(last(frames).header["in_program"], true);
 }
 
-TEST(Session, WhatCannotBeDoneFailsInASentence) {
+TEST(Session, RejectsInvalidRequests) {
     EXPECT_EQ(last(request_frames("{")).header["message"], "a request must be JSON");
     EXPECT_EQ(last(request_frames("[]")).header["message"], "a request must be an object");
     EXPECT_NE(last(request_frames(R"({"do": 3})"))
@@ -198,7 +198,7 @@ TEST(Session, WhatCannotBeDoneFailsInASentence) {
               std::string::npos);
 }
 
-TEST(Session, AllLanguagesAreToldWithTheirCodes) {
+TEST(Session, ListsLanguagesWithCodes) {
     const auto frames = request_frames(R"({"do": "languages"})");
     const auto languages = filter_frames(frames, "languages").at(0).header["languages"];
     ASSERT_EQ(languages.size(), 3U);

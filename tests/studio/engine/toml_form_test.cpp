@@ -15,7 +15,7 @@ name = "table"
 shape = { box_mm = [100.0, 100.0, 10.0] }
 )";
 
-TEST(TomlForm, AChangeGivesTheWholeTextAndWhatItSays) {
+TEST(TomlForm, ChangeReturnsCompleteTextAndValue) {
     const auto frames = request_frames(
         R"({"do": "toml", "file": "cell.toml", "changes": [
             {"op": "set", "at": ["cell", "clearance_mm"], "value": 2},
@@ -42,13 +42,13 @@ name = "table"
     EXPECT_EQ(response.header["value"]["cell"]["clearance_mm"], 2.0);
 }
 
-TEST(TomlForm, WithoutChangesTheFileIsShownAsItIs) {
+TEST(TomlForm, ReturnsUnchangedFile) {
     const auto frames = request_frames(R"({"do": "toml", "file": "cell.toml"})", {{"cell.toml", kCell}});
     EXPECT_EQ(filter_frames(frames, "toml").at(0).columns.at("text"), kCell);
     EXPECT_EQ(filter_frames(frames, "toml").at(0).header["value"]["cell"]["machine"], "router.toml");
 }
 
-TEST(TomlForm, ANameThatNoFileHasIsANewFile) {
+TEST(TomlForm, CreatesFileForUnknownName) {
     const auto frames = request_frames(R"({"do": "toml", "file": "new.toml", "changes": [
             {"op": "set", "at": ["machine", "name"], "value": "mine"},
             {"op": "add", "at": ["axis"], "value": {"max_mm": 600, "kind": "linear", "direction": "x", "mine": 1, "letter": "X",
@@ -59,7 +59,7 @@ TEST(TomlForm, ANameThatNoFileHasIsANewFile) {
               "frame = { x_mm = 1.0, yaw_deg = 90.0 }\nmine = 1.0\n");
 }
 
-TEST(TomlForm, AFileThatIsNoTomlIsToldWithItsPlace) {
+TEST(TomlForm, ReportsInvalidTomlWithLocation) {
     const auto frames =
         request_frames(R"({"do": "toml", "file": "cell.toml"})", {{"cell.toml", "[cell]\nname = \n"}});
     const auto reported = filter_frames(frames, "diagnostic");
@@ -71,7 +71,7 @@ TEST(TomlForm, AFileThatIsNoTomlIsToldWithItsPlace) {
     EXPECT_EQ(last(frames).is(), "failed");
 }
 
-TEST(TomlForm, WhatCannotBeChangedFailsInASentence) {
+TEST(TomlForm, RejectsInvalidChanges) {
     const auto change_error = [](const std::string& change) {
         return make_error(R"({"do": "toml", "file": "cell.toml", "changes": [)" + change + "]}",
                           {{"cell.toml", kCell}});
@@ -93,7 +93,7 @@ TEST(TomlForm, WhatCannotBeChangedFailsInASentence) {
     EXPECT_EQ(make_error(R"({"do": "toml"})"), "toml needs 'file'");
 }
 
-TEST(KeysForm, TellsWhatAFileMayHave) {
+TEST(KeysForm, ListsKeysOfFile) {
     const auto frames = request_frames(R"({"do": "keys", "of": "machine"})");
     ASSERT_EQ(last(frames).is(), "done") << last(frames).header;
     const auto tables = filter_frames(frames, "keys").at(0).header["tables"];

@@ -31,7 +31,7 @@ Frame written(const json& request_json) {
     return programs.empty() ? last(frames) : programs.front();
 }
 
-TEST(WriteForm, APathBecomesAProgramThatRuns) {
+TEST(WriteForm, WrittenPathRunsToCompletion) {
     const Frame program = written({{"path", "wheel.path.json"}, {"program_name", "wheel"}});
     ASSERT_TRUE(program.columns.contains("text")) << program.header;
     EXPECT_EQ(program.header["files"], json::array());
@@ -43,7 +43,7 @@ TEST(WriteForm, APathBecomesAProgramThatRuns) {
     EXPECT_GT(report["cycle_time_s"], 1);
 }
 
-TEST(WriteForm, TakesAFrameAndATool) {
+TEST(WriteForm, AppliesFrameAndTool) {
     const std::string program = written({{"path", "square.json"},
                                          {"post", "rs274ngc"},
                                          {"cell", "cell.toml"},
@@ -55,7 +55,7 @@ TEST(WriteForm, TakesAFrameAndATool) {
     EXPECT_THAT(program, HasSubstr("G10 L2 P2 X100 Y50 Z0 R0\nG53 G00 Z-5\nT3\nM6\nG43 H3\nG55\n"));
 }
 
-TEST(WriteForm, SaysItInTheWordsOfAPostAndInItsUnits) {
+TEST(WriteForm, UsesWordsOfPostAndRequestedUnit) {
     const std::string mm =
         written({{"path", "square.json"}, {"post", "grbl"}, {"cell", "cell.toml"}}).columns.at("text");
     EXPECT_THAT(mm, HasSubstr("G21"));
@@ -70,7 +70,7 @@ TEST(WriteForm, SaysItInTheWordsOfAPostAndInItsUnits) {
     EXPECT_THAT(inch, HasSubstr("X2.3622"));
 }
 
-TEST(WriteForm, SubPathsMayHaveFilesOfTheirOwn) {
+TEST(WriteForm, WritesSubPathsToSeparateFiles) {
     const Frame program = written(
         {{"path", "wheel.path.json"}, {"post", "ab9"}, {"program_name", "wheel"}, {"separate_files", true}});
     ASSERT_TRUE(program.header.contains("files")) << program.header;
@@ -82,7 +82,7 @@ TEST(WriteForm, SubPathsMayHaveFilesOfTheirOwn) {
     }
 }
 
-TEST(WriteForm, WhatCannotBeWrittenFailsInASentence) {
+TEST(WriteForm, RejectsInvalidRequests) {
     const auto error = [](const json& request_json) {
         return make_error(write_request(request_json), files_of_writing());
     };
@@ -97,7 +97,7 @@ TEST(WriteForm, WhatCannotBeWrittenFailsInASentence) {
     EXPECT_THAT(error({{"path", "square.json"}, {"machine", "none.toml"}}), HasSubstr("none.toml"));
 }
 
-TEST(WriteForm, PostsAreNamed) {
+TEST(WriteForm, ListsPosts) {
     const json names = filter_frames(request_frames(R"({"do": "posts"})"), "posts").at(0).header["names"];
     EXPECT_NE(std::find(names.begin(), names.end(), "grbl"), names.end());
     EXPECT_EQ(make_error(R"({"do": "posts", "path": "a"})"), "unknown key 'path' of posts");

@@ -11,9 +11,9 @@ namespace {
 constexpr int kPort = 4242;
 const std::string kToken = "0123456789abcdef0123456789abcdef";
 
-class GuardTest : public testing::Test {
+class AccessCheckTest : public testing::Test {
   protected:
-    GuardTest() {
+    AccessCheckTest() {
         request_.method = "POST";
         request_.path = request_.target = "/" + kToken + "/ask";
         request_.headers.emplace("Host", "127.0.0.1:4242");
@@ -31,7 +31,7 @@ class GuardTest : public testing::Test {
     httplib::Request request_;
 };
 
-TEST_F(GuardTest, WhatThePageAsksIsAnswered) {
+TEST_F(AccessCheckTest, AcceptsRequestsOfPage) {
     EXPECT_EQ(status(), 200);
     set("Origin", "http://127.0.0.1:4242");
     set("Sec-Fetch-Site", "same-origin");
@@ -41,7 +41,7 @@ TEST_F(GuardTest, WhatThePageAsksIsAnswered) {
     EXPECT_EQ(status(), 200);
 }
 
-TEST_F(GuardTest, AnotherHostIsRefused) {
+TEST_F(AccessCheckTest, RejectsOtherHosts) {
     for (const char* host :
          {"evil.example:4242", "127.0.0.1", "127.0.0.1:4243", "127.0.0.1:4242.evil.example", ""}) {
         set("Host", host);
@@ -54,7 +54,7 @@ TEST_F(GuardTest, AnotherHostIsRefused) {
     EXPECT_EQ(status(), 403) << "twice";
 }
 
-TEST_F(GuardTest, AnotherOriginIsRefused) {
+TEST_F(AccessCheckTest, RejectsOtherOrigins) {
     for (const char* origin :
          {"http://evil.example", "null", "", "https://127.0.0.1:4242", "http://127.0.0.1:80",
           "http://127.0.0.1:4242.evil.example", "http://127.0.0.1:4242/"}) {
@@ -63,7 +63,7 @@ TEST_F(GuardTest, AnotherOriginIsRefused) {
     }
 }
 
-TEST_F(GuardTest, PagesOfOtherSitesMayLeadToThePageAlone) {
+TEST_F(AccessCheckTest, OtherSitesMayOnlyLinkToPage) {
     for (const char* site : {"cross-site", "same-site"}) {
         set("Sec-Fetch-Site", site);
         request_.method = "GET";
@@ -74,7 +74,7 @@ TEST_F(GuardTest, PagesOfOtherSitesMayLeadToThePageAlone) {
     }
 }
 
-TEST_F(GuardTest, WithoutTheTokenThereIsNothing) {
+TEST_F(AccessCheckTest, RejectsMissingOrWrongToken) {
     for (const std::string& path : std::vector<std::string>{
              "/", "/ask", "/" + kToken, "//" + kToken + "/ask", "/" + kToken.substr(1) + "/ask",
              "/" + kToken + "0/ask", "/../" + kToken + "/ask", "*", ""}) {
@@ -85,7 +85,7 @@ TEST_F(GuardTest, WithoutTheTokenThereIsNothing) {
     }
 }
 
-TEST_F(GuardTest, OtherMethodsAndEndlessAddressesAreRefused) {
+TEST_F(AccessCheckTest, RejectsOtherMethodsAndLongUrls) {
     for (const char* method : {"DELETE", "OPTIONS", "PATCH", "CONNECT", "TRACE", "HEAD"}) {
         request_.method = method;
         EXPECT_EQ(status(), 405) << method;
@@ -95,7 +95,7 @@ TEST_F(GuardTest, OtherMethodsAndEndlessAddressesAreRefused) {
     EXPECT_EQ(status(), 414);
 }
 
-TEST(RandomTokenTest, NoTwoAreTheSame) {
+TEST(RandomTokenTest, TokensAreUnique) {
     std::set<std::string> all;
     for (int i = 0; i < 1000; ++i) {
         const std::string token = random_token();

@@ -70,7 +70,7 @@ class Client {
     os::Descriptor socket_;
 };
 
-class BodiesTest : public StudioServerTest {
+class RequestBodyTest : public StudioServerTest {
   protected:
     void SetUp() override {
         StudioServerTest::SetUp();
@@ -86,7 +86,7 @@ class BodiesTest : public StudioServerTest {
     std::thread serving_;
 };
 
-TEST_F(BodiesTest, WhoSendsSomeMegabytesInVainSeesWhy) {
+TEST_F(RequestBodyTest, ClientReceivesStatusOfRejectedBody) {
     struct Refused {
         const char *method, *path, *headers, *status;
     };
@@ -107,7 +107,7 @@ TEST_F(BodiesTest, WhoSendsSomeMegabytesInVainSeesWhy) {
     EXPECT_EQ(content("part.nc"), "G1 X1\n");
 }
 
-TEST_F(BodiesTest, OneThatIsAnnouncedAsTooLargeIsRefusedBeforeItComes) {
+TEST_F(RequestBodyTest, RejectsTooLargeBodyBeforeTransfer) {
     const Client client(port_);
     EXPECT_TRUE(
         client.send(head("PUT", "file/new.nc", "If-None-Match: *\r\nContent-Length: 1073741824\r\n")));
@@ -117,7 +117,7 @@ TEST_F(BodiesTest, OneThatIsAnnouncedAsTooLargeIsRefusedBeforeItComes) {
     EXPECT_FALSE(fs::exists(folder_ / "new.nc"));
 }
 
-TEST_F(BodiesTest, WhoAsksFirstIsToldToGoOnOrWhyNot) {
+TEST_F(RequestBodyTest, AnswersExpectContinue) {
     const std::string headers = "If-None-Match: *\r\nExpect: 100-continue\r\nContent-Length: 3\r\n";
     const Client client(port_);
     EXPECT_TRUE(client.send(head("PUT", "file/new.nc", headers)));
@@ -130,7 +130,7 @@ TEST_F(BodiesTest, WhoAsksFirstIsToldToGoOnOrWhyNot) {
     EXPECT_THAT(stranger.chunk(), StartsWith("HTTP/1.1 403"));
 }
 
-TEST_F(StudioServerTest, WhatNobodyWantsIsNotKept) {
+TEST_F(StudioServerTest, RejectsUnknownRequestWithoutReadingBody) {
     begin();
     MemoryStream stream(head("POST", "other", "Transfer-Encoding: chunked\r\n") + "100000\r\n" +
                         std::string(kPiece, 'a') + "\r\n0\r\n\r\n");
@@ -139,7 +139,7 @@ TEST_F(StudioServerTest, WhatNobodyWantsIsNotKept) {
     EXPECT_TRUE(stream.is_readable());
 }
 
-TEST(WholeBodyStreamTest, ReadsTheRestBeforeItAnswersAndWaitsForNoneThatHasEnded) {
+TEST(BufferedBodyStreamTest, ReadsRemainingBodyBeforeResponse) {
     for (const bool sets_all_rotary_axes : {true, false}) {
         MemoryStream stream(sets_all_rotary_axes ? "0123456789next" : "0123");
         BufferedBodyStream full(stream);
@@ -153,7 +153,7 @@ TEST(WholeBodyStreamTest, ReadsTheRestBeforeItAnswersAndWaitsForNoneThatHasEnded
 }
 
 /// Both ends of a connection.
-class EndsTest : public testing::Test {
+class ConnectionTest : public testing::Test {
   protected:
     void SetUp() override { ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends_.data()), 0); }
     void TearDown() override {
@@ -167,7 +167,7 @@ class EndsTest : public testing::Test {
     std::array<int, 2> ends_{};
 };
 
-TEST_F(EndsTest, WhoGoesOnSendingIsNotListenedToForLong) {
+TEST_F(ConnectionTest, LingeringCloseEndsSlowSender) {
     constexpr int kAll = 1000;
     std::atomic<int> sent{0};
     std::thread dripping([&] {
@@ -181,7 +181,7 @@ TEST_F(EndsTest, WhoGoesOnSendingIsNotListenedToForLong) {
     dripping.join();
 }
 
-TEST_F(EndsTest, NorForMoreThanSoManyBytes) {
+TEST_F(ConnectionTest, LingeringCloseStopsAtByteLimit) {
     const std::string sent(100'000, 'a');
     ASSERT_EQ(::send(ends_[1], sent.data(), sent.size(), MSG_NOSIGNAL), 100'000);
     lingering_close(ends_[0], {.bytes = 1000, .time = milliseconds(20'000), .pause = milliseconds(10'000)});
@@ -190,7 +190,7 @@ TEST_F(EndsTest, NorForMoreThanSoManyBytes) {
     EXPECT_GT(left, 0);
 }
 
-TEST_F(EndsTest, WhoHasItsAnswerMakesRoomForOthers) {
+TEST_F(ConnectionTest, FinishedConnectionFreesCapacity) {
     Connections all(1);
     all.on_open();
     Connections::Entry entry(all, ends_[0]);

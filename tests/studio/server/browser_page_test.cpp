@@ -41,7 +41,7 @@ std::string content_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(BrowserPageTest, ABrowserGetsAFileOfTheUsersOwnAndNoneOfOurSignals) {
+TEST(BrowserPageTest, BrowserGetsPrivateFileAndSeparateProcessGroup) {
     std::string name = (fs::temp_directory_path() / "browser-XXXXXX").string();
     const fs::path folder = ::mkdtemp(name.data());
     const fs::path said = folder / "said";

@@ -58,7 +58,7 @@ testing::Matcher<FolderChange> is_gone(const std::string& name) {
     return testing::AllOf(Field(&FolderChange::name, name), Field(&FolderChange::tag, std::nullopt));
 }
 
-TEST_F(FolderChangesTest, TellsWhatHasChangedSinceAnAnswer) {
+TEST_F(FolderChangesTest, ReportsChangesSinceResponse) {
     FolderChanges changes = this->changes();
     const FolderChangesResult first = changes.since(std::nullopt);
     EXPECT_TRUE(first.is_incomplete);
@@ -81,14 +81,14 @@ TEST_F(FolderChangesTest, TellsWhatHasChangedSinceAnAnswer) {
                 ElementsAre(is_there("a.nc"), is_there("b.nc"), is_there("c.nc")));
 }
 
-TEST_F(FolderChangesTest, AnAnswerThatIsUnknownIsAnsweredWithAll) {
+TEST_F(FolderChangesTest, ReportsIncompleteForUnknownResponse) {
     FolderChanges changes = this->changes();
     const std::uint64_t at = changes.since(std::nullopt).at;
     for (const std::uint64_t unknown : {at + 1, std::uint64_t{0}, ~std::uint64_t{0}})
         EXPECT_TRUE(changes.since(unknown).is_incomplete) << unknown;
 }
 
-TEST_F(FolderChangesTest, FilesThatAreGoneAreNotKeptForEver) {
+TEST_F(FolderChangesTest, ForgetsOldestDeletedFiles) {
     FolderChanges changes = this->changes();
     const std::uint64_t first = changes.since(std::nullopt).at;
     std::uint64_t at = first;
@@ -110,7 +110,7 @@ TEST_F(FolderChangesTest, FilesThatAreGoneAreNotKeptForEver) {
     EXPECT_THAT(changes.since(at).changes, ElementsAre(is_there("a.nc")));
 }
 
-TEST_F(FolderChangesTest, AFileBeyondThoseThatAreListedIsNotSaidToBeGone) {
+TEST_F(FolderChangesTest, UnlistedFileIsNotReportedAsDeleted) {
     write_file("c.nc", "");
     FolderChanges changes = this->changes();
     const std::uint64_t at = changes.since(std::nullopt).at;
@@ -120,7 +120,7 @@ TEST_F(FolderChangesTest, AFileBeyondThoseThatAreListedIsNotSaidToBeGone) {
     EXPECT_THAT(changes.since(at).changes, ElementsAre(is_there("a2.nc"), is_gone("b.nc"), is_there("c.nc")));
 }
 
-TEST_F(FolderChangesTest, TheFolderIsWalkedSeldomWhereAWalkTakesLong) {
+TEST_F(FolderChangesTest, ScansFolderRarelyIfScanIsSlow) {
     constexpr std::chrono::hours kLong{24};
     constexpr milliseconds kNoPause{0};
     constexpr int kHuge = 1'000'000'000;

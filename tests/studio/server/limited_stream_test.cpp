@@ -17,7 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 
 /// Both ends of a connection.
-class GuardedStreamTest : public testing::Test {
+class LimitedStreamTest : public testing::Test {
   protected:
     void SetUp() override { ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends_.data()), 0); }
     void TearDown() override {
@@ -39,7 +39,7 @@ class GuardedStreamTest : public testing::Test {
     std::array<int, 2> ends_{};
 };
 
-TEST_F(GuardedStreamTest, KnowsWhereTheHeadEnds) {
+TEST_F(LimitedStreamTest, DetectsEndOfHead) {
     for (const std::string& head :
          std::vector<std::string>{"GET / HTTP/1.1\r\nHost: x\r\n\r\n", "GET / HTTP/1.1\n\n"}) {
         LimitedStream stream(ends_[0]);
@@ -52,13 +52,13 @@ TEST_F(GuardedStreamTest, KnowsWhereTheHeadEnds) {
     }
 }
 
-TEST_F(GuardedStreamTest, AHeadWithoutAnEndIsEnded) {
+TEST_F(LimitedStreamTest, EndsHeadAboveSizeLimit) {
     LimitedStream stream(ends_[0], {.head_bytes = 5000});
     send(std::string(20'000, 'a'));
     EXPECT_LE(drain(stream), 6000U);
 }
 
-TEST_F(GuardedStreamTest, AHeadThatDripsIsEnded) {
+TEST_F(LimitedStreamTest, EndsSlowHead) {
     LimitedStream stream(ends_[0], {.head = milliseconds(300), .pause = milliseconds(200)});
     constexpr std::size_t kDrops = 600;  // half a minute, a hundred times as long as a head may take
     std::atomic<bool> is_over = false;
@@ -73,14 +73,14 @@ TEST_F(GuardedStreamTest, AHeadThatDripsIsEnded) {
     dripping.join();
 }
 
-TEST_F(GuardedStreamTest, APauseInABodyEndsIt) {
+TEST_F(LimitedStreamTest, PauseEndsBody) {
     LimitedStream stream(ends_[0], {.pause = milliseconds(50)});
     send("POST / HTTP/1.1\r\n\r\nhalf of it");
     EXPECT_EQ(drain(stream), 29U);
     EXPECT_TRUE(stream.has_head());
 }
 
-TEST_F(GuardedStreamTest, WhoDoesNotReadIsNotWaitedForLong) {
+TEST_F(LimitedStreamTest, WriteFailsIfClientDoesNotRead) {
     LimitedStream stream(ends_[0], {.pause = milliseconds(50)});
     const std::string chunk(100'000, 'a');
     ssize_t sent = 0;
@@ -88,7 +88,7 @@ TEST_F(GuardedStreamTest, WhoDoesNotReadIsNotWaitedForLong) {
     EXPECT_EQ(sent, -1);
 }
 
-TEST_F(GuardedStreamTest, NoticesThatTheOtherEndHasGone) {
+TEST_F(LimitedStreamTest, DetectsClosedPeer) {
     const LimitedStream stream(ends_[0]);
     EXPECT_TRUE(stream.is_writable());
     ::shutdown(ends_[1], SHUT_RDWR);

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-TEST_F(StudioServerTest, ServesThePageWithWhatItIsTold) {
+TEST_F(StudioServerTest, ServesPageWithData) {
     begin();
     const std::string page = handle_request("GET", "");
     EXPECT_THAT(page, StartsWith("HTTP/1.1 200"));
@@ -27,7 +27,7 @@ TEST_F(StudioServerTest, ServesThePageWithWhatItIsTold) {
     EXPECT_THAT(page, Not(HasSubstr("Access-Control")));
 }
 
-TEST_F(StudioServerTest, FilesAreListedReadAndSaved) {
+TEST_F(StudioServerTest, ListsReadsAndSavesFiles) {
     begin();
     EXPECT_THAT(handle_request("GET", "files"), HasSubstr(R"("name":"part.nc","bytes":6)"));
     const std::string read = handle_request("GET", "file/part.nc");
@@ -47,7 +47,7 @@ TEST_F(StudioServerTest, FilesAreListedReadAndSaved) {
     EXPECT_EQ(content("part.nc"), "G1 X2\n");
 }
 
-TEST_F(StudioServerTest, ABodyThatEndsTooSoonSavesNothing) {
+TEST_F(StudioServerTest, IncompleteBodySavesNothing) {
     begin();
     const std::string head = "PUT /" + token_ +
                              "/file/cut.nc HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) +
@@ -61,7 +61,7 @@ TEST_F(StudioServerTest, ABodyThatEndsTooSoonSavesNothing) {
     EXPECT_EQ(content("cut.nc"), "G0\n");
 }
 
-TEST_F(StudioServerTest, NothingOutsideTheFolderIsReadOrWritten) {
+TEST_F(StudioServerTest, RejectsFilesOutsideFolder) {
     begin();
     const fs::path outside = folder_.string() + "-outside";
     std::ofstream(outside) << "secret";
@@ -81,19 +81,19 @@ TEST_F(StudioServerTest, NothingOutsideTheFolderIsReadOrWritten) {
     fs::remove(outside);
 }
 
-TEST_F(StudioServerTest, WhatTheEngineSaysIsHandedOn) {
+TEST_F(StudioServerTest, ForwardsEngineOutput) {
     begin("printf 'head '; cat");
     EXPECT_THAT(handle_request("POST", "ask", R"({"request":1})"), HasSubstr(R"({"request":1})"));
 }
 
-TEST_F(StudioServerTest, AnEngineThatDiesIsSaid) {
+TEST_F(StudioServerTest, ReportsCrashOfEngine) {
     begin("kill -SEGV $$");
     EXPECT_THAT(handle_request("POST", "ask", "{}"),
                 HasSubstr(R"("message":"the engine was terminated by signal 11")"));
     EXPECT_THAT(log_, HasSubstr("signal 11"));
 }
 
-TEST_F(StudioServerTest, MessagesThatTheEngineKeepsAreReadByTheirNumbers) {
+TEST_F(StudioServerTest, ReturnsStoredMessagesByNumber) {
     // Two messages: eight bytes, and sixteen.
     begin(R"(printf '\010\000\000\000AAAA\020\000\000\000BBBBBBBBBBBB' >&3; echo "$0" "$1" said)");
     EXPECT_THAT(handle_request("POST", "ask", "{}", "Run: 0123456789abcdef\r\nWhole: 7\r\n"),
@@ -105,7 +105,7 @@ TEST_F(StudioServerTest, MessagesThatTheEngineKeepsAreReadByTheirNumbers) {
     EXPECT_THAT(handle_request("GET", "laws/0123456789abcdef/-1"), StartsWith("HTTP/1.1 404"));
 }
 
-TEST_F(StudioServerTest, OfARunThatIsCancelledNothingIsKept) {
+TEST_F(StudioServerTest, CancelledRunDeletesStoredMessages) {
     // Until the page has gone it is there.
     begin(R"(printf '\010\000\000\000AAAA' >&3; printf said; exec sleep 60)");
     std::thread serving([this] { server_->serve(); });
@@ -135,7 +135,7 @@ TEST_F(StudioServerTest, OfARunThatIsCancelledNothingIsKept) {
     EXPECT_EQ(behind, 404);
 }
 
-TEST_F(StudioServerTest, WhatIsNoJsonDoesNotReachTheEngine) {
+TEST_F(StudioServerTest, RejectsInvalidJsonBeforeEngine) {
     begin("echo reached");
     for (const std::string& body : std::vector<std::string>{std::string("{"), std::string(200'000, '['),
                                                             std::string("\xff\xfe"), std::string("1 2")}) {
@@ -145,7 +145,7 @@ TEST_F(StudioServerTest, WhatIsNoJsonDoesNotReachTheEngine) {
     }
 }
 
-TEST_F(StudioServerTest, OthersAreRefusedAndLoggedWithoutTheToken) {
+TEST_F(StudioServerTest, RejectsOtherClientsAndLogsWithoutToken) {
     begin();
     const std::string host = "127.0.0.1:" + std::to_string(port_);
     EXPECT_THAT(raw("GET / HTTP/1.1\r\nHost: " + host + "\r\n\r\n"), StartsWith("HTTP/1.1 403"));
@@ -157,7 +157,7 @@ TEST_F(StudioServerTest, OthersAreRefusedAndLoggedWithoutTheToken) {
     EXPECT_THAT(log_, Not(HasSubstr(token_)));
 }
 
-TEST_F(StudioServerTest, OneThatIsStoppedBeforeItServesDoesNotServe) {
+TEST_F(StudioServerTest, DoesNotServeAfterEarlyStop) {
     begin();
     server_->stop_serving();
     auto serving = std::async(std::launch::async, [this] { server_->serve(); });
@@ -165,7 +165,7 @@ TEST_F(StudioServerTest, OneThatIsStoppedBeforeItServesDoesNotServe) {
     server_->stop_serving();
 }
 
-TEST_F(StudioServerTest, ListensOnThisMachineAloneUntilItIsStopped) {
+TEST_F(StudioServerTest, ServesLocallyUntilStopped) {
     begin("exec sleep 60");
     std::thread serving([this] { server_->serve(); });
     httplib::Client client("127.0.0.1", port_);

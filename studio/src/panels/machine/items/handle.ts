@@ -24,17 +24,17 @@ export class Handle {
   /** Moves the handle to the chosen item, or removes it. */
   draw(): void {
     const { item } = this.chosen;
-    const place = item && this.handlePose(item);
+    const handlePose = item && this.handlePose(item);
     const displayed = this.context.store.get("handle");
-    if (!item || !place) {
+    if (!item || !handlePose) {
       if (displayed?.owner === this) this.context.store.set("handle", null);
       return;
     }
     this.context.store.set("handle", {
       owner: this,
-      parent: place.parent.toArray(),
-      pose: place.pose.toArray(),
-      frame: place.frame,
+      parent: handlePose.parent.toArray(),
+      pose: handlePose.pose.toArray(),
+      frame: handlePose.frame,
       moved: (pose) => void this.moved(item, new Matrix4().fromArray(pose)),
     });
   }

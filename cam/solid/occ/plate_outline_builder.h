@@ -21,9 +21,9 @@ namespace gsim::solid {
 Result<PlateFrame> find_plate(std::span<const TopoDS_Solid> solids, const PlateOptions& options);
 
 /// A collector for the outlines of bodies in a plate; all lie in one plane and have one thickness.
-class SolidOutline {
+class PlateOutlineBuilder {
   public:
-    SolidOutline(const ShapeFile& file, const PlateFrame& frame, double tolerance_mm, Plate& plate)
+    PlateOutlineBuilder(const ShapeFile& file, const PlateFrame& frame, double tolerance_mm, Plate& plate)
         : file_(file), frame_(frame), plate_(plate), pen_(frame, tolerance_mm, plate.drawing) {}
 
     /// Adds a body.

@@ -13,9 +13,9 @@ namespace gsim::simulation {
 
 /// Duration of the moves of a run with the accelerations of the axes, if the peaks of its motors limit them.
 /// They are planned in a comparison.
-class AxesTimeMonitor final : public MotionObserver {
+class AxisAccelerationTimeMonitor final : public MotionObserver {
   public:
-    explicit AxesTimeMonitor(const machine::Machine& machine);
+    explicit AxisAccelerationTimeMonitor(const machine::Machine& machine);
 
     void on_start_position(const rrs::JointPos& joints) override;
     void on_request(const MotionRequest& request) override;

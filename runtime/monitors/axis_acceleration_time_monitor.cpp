@@ -1,4 +1,4 @@
-#include "runtime/monitors/axes_time_monitor.h"
+#include "runtime/monitors/axis_acceleration_time_monitor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace gsim::simulation {
 
-AxesTimeMonitor::AxesTimeMonitor(const machine::Machine& machine)
+AxisAccelerationTimeMonitor::AxisAccelerationTimeMonitor(const machine::Machine& machine)
     : null_sink_(std::make_unique<NullSegmentSink>()),
       word_times_(machine.times),
       planner_(make_planner_setup(machine), null_sink_.get()) {
@@ -18,27 +18,27 @@ AxesTimeMonitor::AxesTimeMonitor(const machine::Machine& machine)
         on_unrecordable("an axis has no max_acceleration");
 }
 
-void AxesTimeMonitor::on_unrecordable(std::string_view reason) {
+void AxisAccelerationTimeMonitor::on_unrecordable(std::string_view reason) {
     if (error_.empty()) error_ = reason;
 }
 
-void AxesTimeMonitor::on_start_position(const rrs::JointPos& joints) {
+void AxisAccelerationTimeMonitor::on_start_position(const rrs::JointPos& joints) {
     if (const auto started = planner_.set_position({joints, std::nullopt}); !started)
         on_unrecordable(started.error().message);
 }
 
-void AxesTimeMonitor::on_request(const MotionRequest& request) {
+void AxisAccelerationTimeMonitor::on_request(const MotionRequest& request) {
     if (!error_.empty()) return;
     if (const auto enqueue = replay_request(request, word_times_, planner_); !enqueue)
         on_unrecordable(enqueue.error().message);
 }
 
-void AxesTimeMonitor::ended() {
+void AxisAccelerationTimeMonitor::ended() {
     planner_.dwells().plan_to_final_standstill();
     planner_.flush();
 }
 
-std::optional<double> AxesTimeMonitor::time_s() const {
+std::optional<double> AxisAccelerationTimeMonitor::time_s() const {
     if (!error_.empty()) return std::nullopt;
     return planner_.time_s();
 }

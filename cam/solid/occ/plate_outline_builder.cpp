@@ -1,4 +1,4 @@
-#include "cam/solid/occ/solid_outline.h"
+#include "cam/solid/occ/plate_outline_builder.h"
 
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
@@ -107,12 +107,12 @@ Result<PlateFrame> find_plate(std::span<const TopoDS_Solid> solids, const PlateO
     return PlateFrame(lowest_point(solids, frame), best->normal.Reversed());
 }
 
-Result<void> SolidOutline::reject(const TopoDS_Face& face, const std::string& what) const {
+Result<void> PlateOutlineBuilder::reject(const TopoDS_Face& face, const std::string& what) const {
     return Unexpected(fmt::format("{} {}", display_text(face, file_), what));
 }
 
 // Sorts upper and lower faces, and all others.
-Result<void> SolidOutline::sort_faces(const TopoDS_Solid& solid) {
+Result<void> PlateOutlineBuilder::sort_faces(const TopoDS_Solid& solid) {
     upper_.clear();
     lower_.clear();
     depths_mm_.clear();
@@ -140,7 +140,7 @@ Result<void> SolidOutline::sort_faces(const TopoDS_Solid& solid) {
     return {};
 }
 
-Result<void> SolidOutline::find_thickness() {
+Result<void> PlateOutlineBuilder::find_thickness() {
     if (lower_.empty() || upper_.empty()) {
         const TopoDS_Face& face =
             other_faces_.empty() ? (lower_.empty() ? upper_ : lower_).front() : other_faces_.front();
@@ -159,7 +159,7 @@ Result<void> SolidOutline::find_thickness() {
     return {};
 }
 
-Result<void> SolidOutline::draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side) {
+Result<void> PlateOutlineBuilder::draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side) {
     const auto sections = edge_bevels(edge, side, frame_, plate_.thickness_mm);
     if (!sections) return reject(side, sections.error().message);
     const BRepAdaptor_Curve curve(edge);
@@ -173,7 +173,7 @@ Result<void> SolidOutline::draw_edge(const TopoDS_Edge& edge, const TopoDS_Face&
     return {};
 }
 
-Result<void> SolidOutline::draw_face(const TopoDS_Face& face, const Neighbours& edge_faces) {
+Result<void> PlateOutlineBuilder::draw_face(const TopoDS_Face& face, const Neighbours& edge_faces) {
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
         const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
         for (const TopoDS_Shape& neighbour : edge_faces.FindFromKey(edge)) {
@@ -187,7 +187,7 @@ Result<void> SolidOutline::draw_face(const TopoDS_Face& face, const Neighbours& 
     return {};
 }
 
-Result<void> SolidOutline::add(const TopoDS_Solid& solid) {
+Result<void> PlateOutlineBuilder::add(const TopoDS_Solid& solid) {
     if (auto sorted = sort_faces(solid); !sorted) return sorted;
     if (auto found = find_thickness(); !found) return found;
     Neighbours edge_faces;
