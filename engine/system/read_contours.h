@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <tl/expected.hpp>
+
 #include "engine/contours.h"
 
 namespace gsim::engine {
