@@ -18,7 +18,7 @@ int main() {
     const auto report = run->go();
     if (!report) return std::fprintf(stderr, "%s\n", report.error().message.c_str()), 2;
     std::printf("%s after %.1f s and %llu moves\n", std::string(name(report->status)).c_str(),
-                report->cycle_time_s, static_cast<unsigned long long>(report->moves));
+                report->cycle_time_s, static_cast<unsigned long long>(report->counts.moves));
     if (report->alarm) std::printf("%s\n", report->alarm->message.c_str());
     return 0;
 }
