@@ -304,7 +304,7 @@ TEST(ControllerFile, RejectsWrongTypes) {
               "\"parabolic-blend\" or \"smooth-blend\"");
     EXPECT_EQ(error_of("limit_jerk = 1"), "m.toml:4:14: 'limit_jerk' must be true or false, not a number");
     EXPECT_EQ(error_of("standstill_s = true"),
-              "m.toml:4:10: 'standstill_s' must be a number, not true or false");
+              "m.toml:4:16: 'standstill_s' must be a number, not true or false");
     EXPECT_EQ(error_of("name = 4"), "m.toml:4:8: 'name' must be a string, not a number");
     EXPECT_EQ(read_machine("controller = 4\n[machine]\nname = \"m\"\n", "m.toml").error().message,
               "m.toml:1:14: 'controller' must be a table, not a number");
@@ -349,8 +349,8 @@ TEST(ControllerFile, AcceptsOnlyControllerTable) {
               "c.toml:1:14: 'controller' must be a table, not true or false");
     EXPECT_EQ(file_error_of("[machine]\nname = \"m\"\n"),
               "c.toml:1:2: unknown key 'machine' in a controller file; known keys: controller");
-    EXPECT_EQ(file_error_of("[controller]\nrest = 1\n"),
-              "c.toml:2:1: unknown key 'rest' in [controller]; did you mean 'standstill_s'?");
+    EXPECT_EQ(file_error_of("[controller]\nstandstill = 1\n"),
+              "c.toml:2:1: unknown key 'standstill' in [controller]; did you mean 'standstill_s'?");
     EXPECT_EQ(file_error_of("[controller\n").substr(0, 9), "c.toml:1:");
 }
 
