@@ -40,7 +40,7 @@ std::string axis(char letter) {
 
 // The actions that path2gcode says are comments.
 std::set<std::string> comments_of(const std::string& notes) {
-    static constexpr std::string_view kBegin = "note: '", kEnd = "' is a comment, ";
+    static constexpr std::string_view kBegin = "note: ", kEnd = " is written as a comment, ";
     std::set<std::string> names;
     std::istringstream lines(notes);
     for (std::string line; std::getline(lines, line);) {
@@ -118,8 +118,8 @@ Outcome WayRound::end(const Way& write_mode, const std::vector<std::string>& opt
     const RunRecord first = read("first"), second = read("again");
     Outcome outcome;
     const std::set<std::string> unsaid = comments_of(written.err);
-    outcome.by_lines = written.err.find(" by lines within ") != std::string::npos;
-    const bool by_blocks = written.err.find(" by several blocks") != std::string::npos;
+    outcome.by_lines = written.err.find(" as lines within ") != std::string::npos;
+    const bool by_blocks = written.err.find(" as several blocks") != std::string::npos;
     if (outcome.by_lines || by_blocks) {
         outcome.differences = {compare_positions(first, second),
                                {},
