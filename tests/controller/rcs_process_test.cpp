@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -89,6 +90,15 @@ class OwnPaths : public testing::Environment {
 };
 const testing::Environment* const own_paths = testing::AddGlobalTestEnvironment(new OwnPaths);
 
+/// Returns the limits for a module: a short one only for those that do not respond, because others may be
+/// slow.
+RcsProcessLimits limits_for(const Misdeed& misdeed) {
+    RcsProcessLimits limits = kSmall;
+    if (std::string_view(misdeed.message).find("did not respond") == std::string_view::npos)
+        limits.response_timeout_ms = 60'000;
+    return limits;
+}
+
 class FailingModules : public testing::TestWithParam<Misdeed> {};
 
 TEST_P(FailingModules, ReportErrorWithServiceName) {
@@ -96,7 +106,7 @@ TEST_P(FailingModules, ReportErrorWithServiceName) {
     if (GetParam().module == std::string("hogs_memory")) GTEST_SKIP() << "memory has no limit there";
 #endif
     {
-        RcsShell shell(begin(GetParam().module), 3);
+        RcsShell shell(begin(GetParam().module, limits_for(GetParam())), 3);
         ask_for_a_way(shell);
         Status status = Status::RRS_SUCCESS;
         int steps = 0;
