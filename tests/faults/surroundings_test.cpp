@@ -75,7 +75,7 @@ TEST(Clocks, WaitingForLockTimesOut) {
     const Ended ended = folder.run(command, kJumps);
     ::close(lock);
     EXPECT_EQ(ended.status, 2) << ended.by;
-    EXPECT_NE(folder.said().find("has not ended within 90 s"), std::string::npos) << folder.said();
+    EXPECT_NE(folder.said().find("has not finished within 90 s"), std::string::npos) << folder.said();
     EXPECT_EQ(read_file(folder.path() / "data.txt"), job.files.at("data.txt"));
 }
 

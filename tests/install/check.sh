@@ -144,7 +144,7 @@ check 'gsim-optimise --version' '^gsim-optimise [0-9]' bare "$bin/gsim-optimise"
 check 'gsim-optimise(1)' present present "$share/man/man1/gsim-optimise.1"
 check 'completion of gsim-optimise' present present "$share/bash-completion/completions/gsim-optimise"
 check 'gsim-batch(1)' present present "$share/man/man1/gsim-batch.1"
-check 'many runs' '0 run in .* 1 there already; 0 failed' batch
+check 'many runs' '0 run in .* 1 reused; 0 failed' batch
 check 'completion for zsh' present present "$share"/zsh/*/_gsim
 check samples present present "$share/doc/gsim/samples/wheel.nc" "$share/doc/gsim/lua_lib/init.lua"
 check wheel '^cycle time  129\.9[89]' bare "$bin/gsim-run" --machine "$samples/machines/af5-measured.toml" "$samples/wheel.nc"

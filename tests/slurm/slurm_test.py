@@ -147,7 +147,7 @@ class OnSlurm(unittest.TestCase):
         for job, row in self.wanted.items():
             self.assertEqual(found[job], row)
         self.assertEqual(number(self.work / results, "SELECT count(*) - count(DISTINCT key) FROM run"), 0, "a run is there twice")
-        self.assertEqual(number(self.work / results, "SELECT whole FROM batch ORDER BY id DESC LIMIT 1"), 1)
+        self.assertEqual(number(self.work / results, "SELECT complete FROM batch ORDER BY id DESC LIMIT 1"), 1)
 
     def submit(self, results, shard_runs=100):
         status, said = self.batch("plan.toml", "--slurm", "--results", results, "--shard-runs", str(shard_runs))
@@ -171,11 +171,11 @@ class Batches(OnSlurm):
     def test_rows_are_those_of_a_local_run(self):
         status, said = self.batch("plan.toml", "--slurm", "--results", "a.sqlite", "--shard-runs", "250", "--wait", "-q", "--csv", "a.csv")
         self.assertEqual(status, 1, said)  # two of the programs have errors
-        self.assertIn("gathered", said)
+        self.assertIn("; merged", said)
         self.assertEqual(len((self.work / "a.csv").read_text().splitlines()), len(self.wanted) + 1)
         self.check("a.sqlite")
         status, said = self.batch("plan.toml", "--slurm", "--results", "a.sqlite")
-        self.assertIn("nothing is to be run", said)
+        self.assertIn("no runs are pending", said)
         self.assertIn("0 run in", self.batch("plan.toml", "--results", "a.sqlite")[1])
 
     def test_a_batch_that_is_cancelled_keeps_what_it_has(self):
@@ -183,7 +183,7 @@ class Batches(OnSlurm):
         self.until(lambda: self.task_processes("e.sqlite"))
         status, said = self.batch("plan.toml", "--slurm", "--results", "e.sqlite")
         self.assertEqual(status, 2)
-        self.assertIn("is under way", said)
+        self.assertIn("is running", said)
         status, said = self.batch("plan.toml", "--results", "e.sqlite")
         self.assertEqual(status, 2)
         self.assertIn("on a cluster", said)
@@ -224,7 +224,7 @@ class Losses(OnSlurm):
         self.assertGreater(missing, 0, shard)
         self.assertLessEqual(missing, 100)
         said = self.submit("b.sqlite")
-        self.assertIn(f"{len(self.wanted) - missing} there before", said)
+        self.assertIn(f"{len(self.wanted) - missing} reused", said)
         self.over("b.sqlite")
         self.check("b.sqlite")
 

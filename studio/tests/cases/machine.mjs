@@ -300,7 +300,7 @@ export default {
       await hasText(page, "my-table.toml", "z_mm = 25");
       await touched("stop block", false);
       const cell = await text(page, "my-table.toml");
-      assert.match(cell, /# The jet goes on through the slats/);
+      assert.match(cell, /# The jet passes through the slats/);
       assert.match(cell, /name = "stop block"\nshape = \{ box_mm = \[40/);
 
       // By hand: from above, the arrow along X, to the slot.
