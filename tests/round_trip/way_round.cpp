@@ -40,7 +40,7 @@ std::string axis(char letter) {
 
 // The actions that path2gcode says are comments.
 std::set<std::string> comments_of(const std::string& notes) {
-    static constexpr std::string_view kBegin = "note: ", kEnd = " is written as a comment, ";
+    static constexpr std::string_view kBegin = "note: '", kEnd = "' is written as a comment, ";
     std::set<std::string> names;
     std::istringstream lines(notes);
     for (std::string line; std::getline(lines, line);) {
