@@ -104,7 +104,8 @@ TEST(Tokens, ReadPrintStatements) {
 
 TEST(Tokens, RejectSyntaxOfRs274Ngc) {
     EXPECT_EQ(scan("#1=2**3\n").messages,
-              "1:5: error: '**' is not an operator of the 9/Series; use EXP[#2*LN[#1]] for a power, or a product\n");
+              "1:5: error: '**' is not an operator of the 9/Series; use EXP[#2*LN[#1]] for a power, or a "
+              "product\n");
     EXPECT_EQ(scan("X[#<a>]\n").messages, "1:3: error: unexpected character '<'\n");
     EXPECT_EQ(scan("X#<a>\n").messages, "1:3: error: unexpected character '<'\n");
     EXPECT_EQ(scan("#1=#<\n").messages, "1:4: error: unexpected character '<'\n");
