@@ -44,7 +44,7 @@ std::optional<std::string> fault_of_machine(const ImportResult& imported, const 
 /// An error about a missing item has no line.
 std::optional<std::string> fault_of_import(const std::string& error, const std::string& file) {
     for (const std::string_view missing :
-         {"is not there", "there is neither", "names no axes", "no range", "its settings make no machine"}) {
+         {"is missing", ": neither [", "names no axes", "no range", "do not make a valid machine"}) {
         if (error.find(missing) != std::string::npos) return fault_of_sentence(error);
     }
     return fault_of_error(error, file);
