@@ -234,7 +234,7 @@ Geometry DeviatedMachine::at(std::span<const Deviation> deviations, const Eigen:
         } else if (deviation.kind == Kind::scale) {
             found.scales[deviation.axis] += value * kPerMillion;
         } else {
-            motions.kind(deviation).add(deviation, value);
+            motions.of(deviation).add(deviation, value);
         }
     }
     // Motions that the next frame of each side must undo.
