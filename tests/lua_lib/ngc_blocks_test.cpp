@@ -79,16 +79,16 @@ TEST(NgcPrograms, BareOWordIsOnlyLabel) {
     EXPECT_EQ(run("O1\nG0 X1\nO2\nG0 X2\nM99\n").moves.size(), 1U) << "in the 9/Series a program ends there";
 }
 
-const std::string kBeside = "G21 F1000\nG0 X0 Y0 Z5\nG42.1 D10\nG1 X20\n";
+const std::string kLeftCompensation = "G21 F1000\nG0 X0 Y0 Z5\nG42.1 D10\nG1 X20\n";
 
 TEST(NgcCompensation, CommentsAndNamesReportToolPosition) {
     const std::string where = "(debug,%d#<_x> #<_y> #5420 #5421)\n";
-    EXPECT_EQ(debug_texts(run_ngc(kBeside + where + "X30\n" + where + "Y10\n" + where + "X5\nG40 X0\n" +
-                                  where + "M2\n")),
+    EXPECT_EQ(debug_texts(run_ngc(kLeftCompensation + where + "X30\n" + where + "Y10\n" + where +
+                                  "X5\nG40 X0\n" + where + "M2\n")),
               "20 -5 20 -5\n30 -5 30 -5\n35 10 35 10\n0 10 0 10\n");
-    EXPECT_EQ(debug_texts(run_ngc(kBeside + "#1=#<_x>\n(debug,%d#1)\nX30\nG40\n" + where + "M2\n")),
+    EXPECT_EQ(debug_texts(run_ngc(kLeftCompensation + "#1=#<_x>\n(debug,%d#1)\nX30\nG40\n" + where + "M2\n")),
               "20\n30 0 30 0\n");
-    expect_alarm(run_ngc(kBeside + "#1=#5420\nM2\n"), 5, {"#5420", "compensation"});
+    expect_alarm(run_ngc(kLeftCompensation + "#1=#5420\nM2\n"), 5, {"#5420", "compensation"});
 }
 
 TEST(NgcCompensation, ParameterReportsSideOnly) {
@@ -97,7 +97,7 @@ TEST(NgcCompensation, ParameterReportsSideOnly) {
 }
 
 TEST(NgcCompensation, IgnoresG923) {
-    const Outcome r = run_ngc("G92 X5\nG92.2\n" + kBeside + "G92.3\nX30\nG40\nX0\nM2\n");
+    const Outcome r = run_ngc("G92 X5\nG92.2\n" + kLeftCompensation + "G92.3\nX30\nG40\nX0\nM2\n");
     EXPECT_NEAR(last_x(r), 0, 1e-9) << "the offset is not in force";
     ASSERT_FALSE(r.report.messages.warnings.empty());
     EXPECT_NE(r.report.messages.warnings.back().find("G92.3"), std::string::npos);
