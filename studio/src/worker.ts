@@ -35,11 +35,11 @@ function start(module: WebAssembly.Module): Promise<Engine> {
   });
 }
 
-async function handleRequest(engineRequest: EngineRequest): Promise<void> {
+async function handleRequest(ask: EngineRequest): Promise<void> {
   const ready = await engine!;
-  currentRequest = engineRequest.id;
-  files = engineRequest.files;
-  ready.ccall("gsim_studio_serve", null, ["string"], [JSON.stringify(engineRequest.request)]);
+  currentRequest = ask.id;
+  files = ask.files;
+  ready.ccall("gsim_studio_serve", null, ["string"], [JSON.stringify(ask.request)]);
 }
 
 /** Reports a fatal error of the engine as an error of the worker: the page starts another one. */

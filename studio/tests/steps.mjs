@@ -25,7 +25,7 @@ export const run = (page, setup, files = {}) =>
   page.evaluate(
     async ([change, own]) => {
       const { session, documents, store } = window.studio;
-      for (const [name, text] of Object.entries(own)) documents.write(name, text);
+      for (const [name, text] of Object.entries(own)) documents.put(name, text);
       const empty = { program: "", machine: "", dialect: "", cell: "", machine_data: "", robots: "" };
       session.change({ ...empty, ...change });
       await session.run();

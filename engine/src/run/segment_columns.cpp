@@ -58,8 +58,8 @@ std::uint32_t form_flags(const motion::Segment& segment) {
     std::uint32_t flags = static_cast<std::uint32_t>(segment.kind);
     if (segment.kind == motion::SegmentKind::circular) flags |= SegmentFlags::kArc;
     if (segment.orientation) flags |= SegmentFlags::kOrientation;
-    if (segment.superimposed) flags |= SegmentFlags::kSuperimposed;
-    if (segment.is_uncoordinated()) flags |= SegmentFlags::kUncoordinated;
+    if (segment.superimposed) flags |= SegmentFlags::kBeside;
+    if (segment.is_uncoordinated()) flags |= SegmentFlags::kApart;
     return flags;
 }
 

@@ -69,9 +69,9 @@ async function open(opened: OpenedFile[], session: Session): Promise<void> {
   if (names.length > 0) history.edit(words.opened(names.map(baseName)), { documents: files, setup });
   const taken = new Set<unknown>([...Object.values(setup), ...openInForms(files, store)]);
   const unopened = names.filter((name) => !taken.has(name));
-  const message = unopened.length > 0 ? words.ignoredFiles(names.length - unopened.length, unopened) : "";
+  const said = unopened.length > 0 ? words.ignoredFiles(names.length - unopened.length, unopened) : "";
   if (Object.keys(setup).length > 0 && session.setup.program) await session.run();
-  store.set("notice", message);
+  store.set("notice", said);
 }
 
 /** Returns the files of an entry, including subfolders; names are relative to the dropped folder. */
@@ -106,13 +106,13 @@ async function filesOfHandle(handle: Handle, path: string): Promise<OpenedFile[]
 
 /** Reads the item at once, because its data are not available after the event. */
 function itemFiles(item: DataTransferItem): Promise<OpenedFile[]> {
-  const handlePromise = (item as { getAsFileSystemHandle?: () => Promise<Handle | null> }).getAsFileSystemHandle?.();
+  const asked = (item as { getAsFileSystemHandle?: () => Promise<Handle | null> }).getAsFileSystemHandle?.();
   const entry = item.webkitGetAsEntry();
   const file = item.getAsFile();
   const alone = file ? [{ name: file.name, file }] : [];
   const readEntry = () => (entry?.isDirectory ? entryFiles(entry, "") : Promise.resolve(alone));
-  if (!handlePromise) return readEntry();
-  return handlePromise.then((handle) => (handle ? filesOfHandle(handle, "") : readEntry())).catch(readEntry);
+  if (!asked) return readEntry();
+  return asked.then((handle) => (handle ? filesOfHandle(handle, "") : readEntry())).catch(readEntry);
 }
 
 /** Opens files that are dropped anywhere on the page. */

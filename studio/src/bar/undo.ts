@@ -21,16 +21,16 @@ function requestedAction(event: KeyboardEvent): "undo" | "redo" | null {
 
 export function createUndo(store: Store, session: Session): HTMLElement {
   const { history } = session;
-  let message = "";
-  const go = (action: "undo" | "redo") => {
-    const label = action === "undo" ? history.undoLabel : history.redoLabel;
+  let said = "";
+  const go = (way: "undo" | "redo") => {
+    const label = way === "undo" ? history.undoLabel : history.redoLabel;
     if (!label) return;
-    history[action]();
-    message = action === "undo" ? t.undone(label) : t.redone(label);
-    store.set("notice", message);
+    history[way]();
+    said = way === "undo" ? t.undone(label) : t.redone(label);
+    store.set("notice", said);
   };
   // They are never disabled, so that they keep the focus if no step is left.
-  const button = (action: "undo" | "redo", sign: string) => element("button", { id: `${action}-button`, onclick: () => go(action) }, sign);
+  const button = (way: "undo" | "redo", sign: string) => element("button", { id: `${way}-button`, onclick: () => go(way) }, sign);
   const [undo, redo] = [button("undo", "↶"), button("redo", "↷")];
   const show = (one: HTMLElement, title: string, label: string) => {
     one.title = title;
@@ -44,15 +44,15 @@ export function createUndo(store: Store, session: Session): HTMLElement {
   history.on(() => {
     refresh();
     // The notice of a previous step does not apply to this one.
-    if (message && store.get("notice") === message) store.set("notice", "");
+    if (said && store.get("notice") === said) store.set("notice", "");
   });
   refresh();
   document.addEventListener("keydown", (event) => {
-    const action = requestedAction(event);
+    const way = requestedAction(event);
     // An open dialog concerns data that the page must leave unchanged.
-    if (!action || (event.target as Element).closest?.(textInputSelector) || document.querySelector("dialog[open]")) return;
+    if (!way || (event.target as Element).closest?.(textInputSelector) || document.querySelector("dialog[open]")) return;
     event.preventDefault();
-    go(action);
+    go(way);
   });
   return element("span", { class: "undo" }, undo, redo);
 }

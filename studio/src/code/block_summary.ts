@@ -19,7 +19,7 @@ const MAX_SEGMENTS = 20_000;
 
 /** Returns true if a line has run, but not all its data are loaded. */
 export function isSummaryIncomplete({ blocks, segments }: Robot, file: number, line: number): boolean {
-  return segments.isLong && !blocks.blocksAfterTable({ file, line }).next().done;
+  return segments.isLong && !blocks.behindTable({ file, line }).next().done;
 }
 
 /** Returns null if the line has not run, or not all its data are loaded. */
@@ -28,7 +28,7 @@ export function blockSummary(robot: Robot, file: number, line: number): BlockSum
   const numbers = blocks.blocksOfLine(file, line);
   if (numbers.length === 0 || isSummaryIncomplete(robot, file, line)) return null;
   const summary = { passes: numbers.length, time_s: 0, length_mm: 0, peak_mm_s: 0 };
-  const timesByLimit = new Map<string, { time_s: number; limit: NamedLimit }>();
+  const held = new Map<string, { time_s: number; limit: NamedLimit }>();
   let seen = 0;
   for (const number of numbers) {
     const end = blocks.end(number);
@@ -36,15 +36,15 @@ export function blockSummary(robot: Robot, file: number, line: number): BlockSum
       const [chunk, at] = segments.locate(i)!;
       const limit = limitOfFlags(chunk.flags[at], letters);
       const key = `${limit.kind} ${limit.letter}`;
-      const sum = timesByLimit.get(key) ?? { time_s: 0, limit };
+      const sum = held.get(key) ?? { time_s: 0, limit };
       sum.time_s += chunk.duration_s[at];
-      timesByLimit.set(key, sum);
+      held.set(key, sum);
       summary.time_s += chunk.duration_s[at];
       summary.length_mm += chunk.length_mm[at];
       summary.peak_mm_s = Math.max(summary.peak_mm_s, segments.peakSpeed(chunk, at));
     }
     if (seen >= MAX_SEGMENTS) break;
   }
-  const longest = [...timesByLimit.values()].reduce((best, one) => (one.time_s > best.time_s ? one : best));
-  return { ...summary, limit: longest.limit };
+  const most = [...held.values()].reduce((best, one) => (one.time_s > best.time_s ? one : best));
+  return { ...summary, limit: most.limit };
 }

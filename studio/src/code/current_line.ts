@@ -21,12 +21,12 @@ const field = StateField.define<number>({
     for (const effect of effects) if (effect.is(setCurrentLine)) at = lineStartPosition(newDoc, effect.value);
     return at;
   },
-  provide: (field) => [
-    EditorView.decorations.compute([field, "doc"], (state): DecorationSet => {
+  provide: (own) => [
+    EditorView.decorations.compute([own, "doc"], (state): DecorationSet => {
       const at = currentLineStart(state);
       return at < 0 ? Decoration.none : Decoration.set(mark.range(at));
     }),
-    gutterLineClass.compute([field, "doc"], (state) => {
+    gutterLineClass.compute([own, "doc"], (state) => {
       const marks = new RangeSetBuilder<GutterMarker>();
       const at = currentLineStart(state);
       if (at >= 0) marks.add(at, at, gutterMark);

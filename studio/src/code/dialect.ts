@@ -56,8 +56,8 @@ export class Dialect {
 function configuredDialect(session: Session): string {
   const { dialect, machine } = session.setup;
   if (dialect) return dialectOfController(dialect);
-  const match = machine && /^\s*dialect\s*=\s*["']([^"']+)["']/m.exec(session.documents.text(machine));
-  return match ? dialectOfController(match[1]) : "";
+  const said = machine && /^\s*dialect\s*=\s*["']([^"']+)["']/m.exec(session.documents.text(machine));
+  return said ? dialectOfController(said[1]) : "";
 }
 
 /** Returns the dialect; if it is not set, the program's name decides. */

@@ -19,7 +19,7 @@ function mapLine(line: number, from: Text, changes: ChangeDesc, to: Text): numbe
 
 export class EditorFile {
   /** Text as it was opened, or saved last. */
-  private savedText: Text;
+  private kept: Text;
   private ran: Mark;
   private running: Mark | null = null;
 
@@ -27,7 +27,7 @@ export class EditorFile {
     readonly name: string,
     public state: EditorState,
   ) {
-    this.savedText = state.doc;
+    this.kept = state.doc;
     this.ran = createMark(state.doc);
   }
 
@@ -36,7 +36,7 @@ export class EditorFile {
   }
 
   get isModified(): boolean {
-    return !this.doc.eq(this.savedText);
+    return !this.doc.eq(this.kept);
   }
 
   get isChangedSinceRun(): boolean {
@@ -45,7 +45,7 @@ export class EditorFile {
 
   /** Marks the text as saved on a disk, or as a sample. */
   saved(): void {
-    this.savedText = this.doc;
+    this.kept = this.doc;
   }
 
   changed(changes: ChangeDesc): void {
@@ -60,8 +60,8 @@ export class EditorFile {
   /**
    * Records that the run begun last is now shown; for a run that existed before, the present text is used.
    */
-  endRun(hasBegun: boolean): void {
-    this.ran = hasBegun && this.running ? this.running : createMark(this.doc);
+  endRun(wasBegun: boolean): void {
+    this.ran = wasBegun && this.running ? this.running : createMark(this.doc);
     this.running = null;
   }
 

@@ -37,11 +37,11 @@ function readCodeWord(stream: StringStream, dialect: Dialect): string | null {
   const found = stream.match(word, false) as RegExpMatchArray | null;
   if (!found) return null;
   const letter = found[1].toUpperCase();
-  const isCodeLetter = "GMNO".includes(letter);
-  stream.match(isCodeLetter ? word : /^./);
+  const whole = "GMNO".includes(letter);
+  stream.match(whole ? word : /^./);
   if (letter === "N") return "block";
   if (letter === "O") return "oword";
-  return isCodeLetter ? codeTokenType(dialect, letter, found[2]) : letterTokenType(dialect, letter);
+  return whole ? codeTokenType(dialect, letter, found[2]) : letterTokenType(dialect, letter);
 }
 
 function token(stream: StringStream, dialect: Dialect): string | null {

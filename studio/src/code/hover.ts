@@ -36,17 +36,17 @@ function codeParameters(code: Code, dialect: Dialect): string {
 /** Creates a card with a code's meaning and its words. */
 export function codeCard(code: Code, dialect: Dialect): HTMLElement {
   const card = element("div", { class: "code-card" }, element("b", {}, code.code), ` ${code.meaning}`);
-  const parameters = codeParameters(code, dialect);
+  const taken = codeParameters(code, dialect);
   const lines = [
     code.group ? words.group(code.group) : words.blockAlone,
-    parameters && words.takes(parameters),
+    taken && words.takes(taken),
     !code.supported && words.refused,
   ];
   for (const line of lines) if (line) card.append(element("div", { class: "code-dim" }, line));
   return card;
 }
 
-const textCard = (title: string, text: string) => element("div", { class: "code-card" }, element("b", {}, title), ` ${text}`);
+const said = (title: string, text: string) => element("div", { class: "code-card" }, element("b", {}, title), ` ${text}`);
 
 function gcodeWordCard(line: string, column: number, dialect: Dialect): HTMLElement | null {
   const word = parseWords(line, dialect.properties.semicolonComments).find(({ from, to }) => from <= column && column <= to);
@@ -55,10 +55,10 @@ function gcodeWordCard(line: string, column: number, dialect: Dialect): HTMLElem
     const name = codeName(word.letter, word.number);
     const code = dialect.codes.get(name);
     if (code) return codeCard(code, dialect);
-    return dialect.isUnknown(name) ? textCard(name, words.unknown) : null;
+    return dialect.isUnknown(name) ? said(name, words.unknown) : null;
   }
   const meaning = dialect.letters.get(word.letter);
-  return meaning ? textCard(word.letter, meaning) : null;
+  return meaning ? said(word.letter, meaning) : null;
 }
 
 function luaWordCard(line: string, column: number, dialect: Dialect): HTMLElement | null {
@@ -67,7 +67,7 @@ function luaWordCard(line: string, column: number, dialect: Dialect): HTMLElemen
     const code = dialect.functions.get(name);
     if (code) return codeCard(code, dialect);
     const meaning = dialect.letters.get(name.toUpperCase());
-    return meaning ? textCard(name, meaning) : null;
+    return meaning ? said(name, meaning) : null;
   }
   return null;
 }
@@ -99,11 +99,11 @@ function modalCard(state: ModalState, dialect: Dialect): HTMLElement {
 
 /** Returns the data of a line's block, or the reason why they are missing; null: it has not run. */
 function createSummaryCard(context: HoverContext, line: number): HTMLElement | null {
-  const location = context.runLocation(line);
+  const place = context.runLocation(line);
   const robot = shownRobot(context.store);
-  if (!location || !robot) return null;
-  if (isSummaryIncomplete(robot, location.file, location.line)) return element("div", { class: "code-card code-dim" }, words.notHere);
-  const summary = blockSummary(robot, location.file, location.line);
+  if (!place || !robot) return null;
+  if (isSummaryIncomplete(robot, place.file, place.line)) return element("div", { class: "code-card code-dim" }, words.notHere);
+  const summary = blockSummary(robot, place.file, place.line);
   return summary && summaryCard(summary, context);
 }
 
@@ -137,7 +137,7 @@ const cursorTooltip = StateField.define<Tooltip | null>({
     for (const effect of effects) if (effect.is(setCursorTooltip)) displayed = effect.value;
     return displayed;
   },
-  provide: (field) => showTooltip.from(field),
+  provide: (own) => showTooltip.from(own),
 });
 
 function showCursorTooltip(context: HoverContext, view: EditorView): boolean {

@@ -42,7 +42,7 @@ class CodePanel {
   private readonly following: LineFollower;
   private readonly textChecker: TextChecker;
   private readonly autoRun: AutoRun;
-  private readonly editedTranslations: EditedTranslations;
+  private readonly own: EditedTranslations;
   private readonly translationTimer = new Debounced(() => void this.translation.refresh());
   private readonly align: () => void;
   private program = "";
@@ -54,7 +54,7 @@ class CodePanel {
   ) {
     const run = () => this.run();
     const leave = () => this.header.focus();
-    this.editedTranslations = new EditedTranslations(session.documents);
+    this.own = new EditedTranslations(session.documents);
     this.header = new Header({
       run,
       stop: () => session.cancel(),
@@ -112,8 +112,8 @@ class CodePanel {
       this.updateHeader();
     });
     store.on("run", () => this.onRunChanged());
-    store.on("requestedLocation", (location) => {
-      if (location) this.showRequestedLocation(location);
+    store.on("requestedLocation", (place) => {
+      if (place) this.showRequestedLocation(place);
     });
     store.watch(["robot"], () => this.updateHeat());
     new ResizeObserver(() => host.classList.toggle("code-wide", host.clientWidth >= MIN_SPLIT_WIDTH_PX)).observe(host);
@@ -240,12 +240,12 @@ class CodePanel {
   }
 
   private editLua(): void {
-    const { name, script } = this.editedTranslations.make(this.source.name, this.translation.script);
+    const { name, script } = this.own.make(this.source.name, this.translation.script);
     this.session.history.edit(words.editLua, { documents: { [name]: script }, setup: { program: name } });
   }
 
   private toGcode(): void {
-    const origin = this.editedTranslations.sourceProgram(this.source.name);
+    const origin = this.own.sourceProgram(this.source.name);
     if (origin) this.session.history.edit(words.toGcode, { setup: { program: origin } });
   }
 
@@ -291,7 +291,7 @@ class CodePanel {
       hasTabs: this.hasTranslation && session.canRun,
       autoRun: this.autoRun.isEnabled,
       isAutoRunTooSlow: this.autoRun.isTooSlow,
-      origin: this.editedTranslations.sourceProgram(source.name) ?? "",
+      origin: this.own.sourceProgram(source.name) ?? "",
     });
   }
 }

@@ -34,8 +34,8 @@ export class LineFollower {
     store.on("time_s", () => this.later(!this.isUpdatingSelection));
     store.on("robot", () => this.later(false));
     store.on("loadCount", () => this.later(!this.isUpdatingSelection));
-    store.on("selection", (location) => {
-      if (location && !this.isUpdatingSelection) this.go(location);
+    store.on("selection", (place) => {
+      if (place && !this.isUpdatingSelection) this.go(place);
       this.later(false);
     });
   }
@@ -43,11 +43,11 @@ export class LineFollower {
   /** Handles the user's cursor on a line of the program. */
   choose(line: number): void {
     const { store, source } = this;
-    const location = source.runLocation(line);
+    const place = source.runLocation(line);
     const isNew = source.editorFile.toRunLine(line) === 0;
     this.isUpdatingSelection = true;
-    store.set("selection", isNew ? null : { file: source.name, line: location?.line ?? line, block: -1 });
-    const block = location ? (shownRobot(store)?.blocks.nearest(location.file, location.line, store.get("time_s")) ?? -1) : -1;
+    store.set("selection", isNew ? null : { file: source.name, line: place?.line ?? line, block: -1 });
+    const block = place ? (shownRobot(store)?.blocks.nearest(place.file, place.line, store.get("time_s")) ?? -1) : -1;
     if (block >= 0) showBlockStart(store, block);
     this.isUpdatingSelection = false;
   }
@@ -59,8 +59,8 @@ export class LineFollower {
 
   /** Scrolls to the marked line after the user has opened the other pane. */
   reveal(): void {
-    const location = activeLine(this.store);
-    if (location?.file === this.source.name) this.revealLine(this.source.editorFile.fromRunLine(location.line));
+    const place = activeLine(this.store);
+    if (place?.file === this.source.name) this.revealLine(this.source.editorFile.fromRunLine(place.line));
   }
 
   private go({ file, line }: SourceLocation): void {
@@ -92,12 +92,12 @@ export class LineFollower {
 
   private follow(mayScroll: boolean): void {
     const { source, translation } = this;
-    const location = activeLine(this.store);
+    const place = activeLine(this.store);
     const maySwitchFile = mayScroll && this.isUserIdle && source.isProgram;
-    if (location && location.file !== source.name && maySwitchFile && source.has(location.file)) {
-      source.show(location.file);
+    if (place && place.file !== source.name && maySwitchFile && source.has(place.file)) {
+      source.show(place.file);
     }
-    const line = location?.file === source.name ? source.editorFile.fromRunLine(location.line) : 0;
+    const line = place?.file === source.name ? source.editorFile.fromRunLine(place.line) : 0;
     mark(source.editor, line);
     mark(translation.editor, line > 0 ? line + OFFSET_LINES : 0);
     if (mayScroll && this.isUserIdle) this.revealLine(line);

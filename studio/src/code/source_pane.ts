@@ -59,7 +59,7 @@ export class SourcePane {
   private languages: Language[] = [];
   private modal: ModalIndex;
   private readonly editorFiles = new Map<string, EditorFile>();
-  private readonly storeTimer = new Debounced(() => this.storeText());
+  private readonly storeTimer = new Debounced(() => this.put());
   private isStoring = false;
   /** What no document has yet. */
   private pendingEdit: { text: Text; kind: string } | null = null;
@@ -140,8 +140,8 @@ export class SourcePane {
     for (const editorFile of this.editorFiles.values()) editorFile.beginRun();
   }
 
-  endRun(hasBegun: boolean): void {
-    for (const editorFile of this.editorFiles.values()) editorFile.endRun(hasBegun);
+  endRun(wasBegun: boolean): void {
+    for (const editorFile of this.editorFiles.values()) editorFile.endRun(wasBegun);
   }
 
   /** Returns file and line of the shown run for a line of the text; null: it has not run. */
@@ -269,14 +269,14 @@ export class SourcePane {
     this.events.onEdit();
   }
 
-  private storeText(): void {
+  private put(): void {
     if (!this.pendingEdit) return;
     const { name, session } = this;
     const { text, kind } = this.pendingEdit;
     this.pendingEdit = null;
-    const before: Change = { documents: { [name]: session.documents.userContent(name) ?? null } };
+    const before: Change = { documents: { [name]: session.documents.own(name) ?? null } };
     this.isStoring = true;
-    session.documents.write(name, text.toString());
+    session.documents.put(name, text.toString());
     this.isStoring = false;
     if (text === this.editorFile.doc && !session.documents.isUnsaved(name)) this.editorFile.saved();
     if (session.setup.program === "" && this.isProgram) {

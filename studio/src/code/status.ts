@@ -11,7 +11,7 @@ const words = texts.code;
 export class Status {
   readonly dom: HTMLElement;
   private readonly problems = element("button", { class: "code-problems", type: "button", title: words.problemsTitle });
-  private readonly position = element("span", { class: "code-place" });
+  private readonly place = element("span", { class: "code-place" });
   private readonly times = element("span", { class: "code-dim", title: words.noTimesTitle, hidden: true }, words.noTimes);
   private readonly dialect = element("span", { class: "code-dim" });
   private readonly readAs = element("button", { type: "button", title: words.readAsTitle });
@@ -23,9 +23,9 @@ export class Status {
       nextDiagnostic(view());
       view().focus();
     });
-    this.dom = element("footer", { class: "code-status" }, this.problems, this.times, this.position, this.dialect, this.readAs);
+    this.dom = element("footer", { class: "code-status" }, this.problems, this.times, this.place, this.dialect, this.readAs);
     this.problems.hidden = true;
-    this.position.title = words.placeTitle;
+    this.place.title = words.placeTitle;
   }
 
   showProblems({ errors, warnings, checking, isNotLoaded }: Problems): void {
@@ -43,7 +43,7 @@ export class Status {
 
   /** Shows line and column of the cursor, from 1 on. */
   showLocation(line: number, column: number): void {
-    this.position.textContent = words.place(line, column);
+    this.place.textContent = words.place(line, column);
   }
 
   /** Shows the dialect. `isOffered`: the program looks like that dialect but is read in the other one. */

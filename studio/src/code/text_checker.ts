@@ -70,7 +70,7 @@ export class TextChecker {
     if (this.source.editorFile.doc.length === 0) return this.setFindings([], version);
     this.isRequestPending = true;
     this.source.flush();
-    this.notify();
+    this.tell();
     const diagnostics = await (this.source.isProgram ? this.session.check(name) : this.session.checkFile(name));
     this.isRequestPending = false;
     this.setFindings(
@@ -83,7 +83,7 @@ export class TextChecker {
   }
 
   private setFindings(findings: Finding[], version: number): void {
-    if (version !== this.version) return this.notify();
+    if (version !== this.version) return this.tell();
     this.findingsOfText = findings;
     this.show();
     this.onChecked(findings.some(({ severity }) => severity === "error"));
@@ -112,10 +112,10 @@ export class TextChecker {
       if (line <= doc.lines) marks.push(toDiagnostic(doc, finding, line));
     }
     view.dispatch({ ...setDiagnostics(view.state, marks), annotations: programmaticEdit.of(true) });
-    this.notify();
+    this.tell();
   }
 
-  private notify(): void {
+  private tell(): void {
     const severities = this.currentFindings().map(([{ severity }]) => severity);
     this.onProblems({
       errors: severities.filter((severity) => severity === "error").length,

@@ -31,7 +31,7 @@ export class TranslationPane {
   script = "";
   private readonly note = element("span", { class: "code-grow" });
   private readonly edit: HTMLButtonElement;
-  private requestNumber = 0;
+  private asked = 0;
   private isStale = true;
 
   constructor(
@@ -67,7 +67,7 @@ export class TranslationPane {
   /** Marks the shown translation as one of an earlier text. */
   markStale(): void {
     this.isStale = true;
-    ++this.requestNumber;
+    ++this.asked;
   }
 
   /** Another program is shown. */
@@ -80,11 +80,11 @@ export class TranslationPane {
   async refresh(): Promise<void> {
     if (!this.isStale || this.source.isScript || !this.session.canRun || this.source.isNotLoaded) return this.showMessage();
     this.isStale = false;
-    const requestNumber = ++this.requestNumber;
+    const asked = ++this.asked;
     this.note.textContent = texts.code.translating;
     this.source.flush();
     const script = await this.session.translate(this.source.name);
-    if (requestNumber !== this.requestNumber) return;
+    if (asked !== this.asked) return;
     if (script !== null) this.show(script);
     this.showMessage(script === null);
     this.events.onDisplayed();

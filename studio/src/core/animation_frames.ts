@@ -4,7 +4,7 @@
 export class AnimationFrames {
   private readonly waiting = new Map<number, (now_ms: number) => void>();
   private last = 0;
-  private frameRequest = 0;
+  private asked = 0;
   /** Time of the headset's last picture; null: the window sets it. */
   private headsetFrame_ms: number | null = null;
 
@@ -16,7 +16,7 @@ export class AnimationFrames {
   /** Calls back once, at the next picture; returns a function that cancels it. */
   request(callback: (now_ms: number) => void): number {
     this.waiting.set(++this.last, callback);
-    this.requestFrame();
+    this.ask();
     return this.last;
   }
 
@@ -24,13 +24,13 @@ export class AnimationFrames {
     this.waiting.delete(request);
   }
 
-  private requestFrame(): void {
+  private ask(): void {
     if (this.headsetFrame_ms !== null || this.waiting.size === 0) return;
-    this.frameRequest ||= requestAnimationFrame((now_ms) => this.notify(now_ms));
+    this.asked ||= requestAnimationFrame((now_ms) => this.tell(now_ms));
   }
 
-  private notify(now_ms: number): void {
-    this.frameRequest = 0;
+  private tell(now_ms: number): void {
+    this.asked = 0;
     const dueCallbacks = [...this.waiting.values()];
     this.waiting.clear();
     for (const callback of dueCallbacks) callback(now_ms);
@@ -38,14 +38,14 @@ export class AnimationFrames {
 
   /** Handles a picture of another display; the window's are ignored until release(). */
   drive(now_ms: number): void {
-    cancelAnimationFrame(this.frameRequest);
+    cancelAnimationFrame(this.asked);
     this.headsetFrame_ms = now_ms;
-    this.notify(now_ms);
+    this.tell(now_ms);
   }
 
   /** Returns the timing to the window. */
   release(): void {
     this.headsetFrame_ms = null;
-    this.requestFrame();
+    this.ask();
   }
 }

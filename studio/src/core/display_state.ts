@@ -18,8 +18,8 @@ export function activeLine(store: Store): SourceLocation | null {
   const run = store.get("run");
   if (!run) return null;
   const [robot, t_s, chosen] = [store.get("robot"), store.get("time_s"), store.get("selection")];
-  const locations = run.locationsAt(robot, t_s);
+  const places = run.locationsAt(robot, t_s);
   const moving = run.locationOfMotion(robot, t_s);
-  const all = moving ? [...locations, moving] : locations;
+  const all = moving ? [...places, moving] : places;
   return all.find(({ file, line }) => file === chosen?.file && line === chosen.line) ?? all[0] ?? null;
 }

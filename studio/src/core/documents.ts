@@ -72,7 +72,7 @@ export class Documents {
     const diskFile = toDiskFile(name, bytes);
     this.diskFiles.set(name, diskFile);
     this.folderFileSizes.set(name, bytes.length);
-    this.write(name, diskFile.content);
+    this.put(name, diskFile.content);
   }
 
   /** Records a file in the folder. */
@@ -82,7 +82,7 @@ export class Documents {
 
   /** Removes a file that is no longer in the folder. */
   removeFolderFile(name: string): void {
-    if (this.folderFileSizes.delete(name)) this.notify(name);
+    if (this.folderFileSizes.delete(name)) this.tell(name);
   }
 
   kindOf(name: string): FileKind {
@@ -114,7 +114,7 @@ export class Documents {
   saved(name: string, content: FileContent, bytes: Uint8Array): void {
     const textFormat = this.diskFiles.get(name)?.textFormat ?? DEFAULT_FORMAT;
     this.diskFiles.set(name, { content, plain: typeof content === "string" ? plain(content) : "", bytes, textFormat });
-    this.notify(name);
+    this.tell(name);
   }
 
   /** Returns the bytes to save, and counts them as saved from now on. */
@@ -146,20 +146,20 @@ export class Documents {
   }
 
   /** Stores a file; a sample of that name stays unchanged beneath it. */
-  write(name: string, content: FileContent): void {
+  put(name: string, content: FileContent): void {
     this.userFiles.set(name, content);
-    this.notify(name);
+    this.tell(name);
   }
 
   /** Returns the user's content; undefined: the sample, or no file. */
-  userContent(name: string): FileContent | undefined {
+  own(name: string): FileContent | undefined {
     return this.userFiles.get(name);
   }
 
   /** Removes a file; a sample of that name becomes visible again. */
   remove(name: string): void {
     if (!this.userFiles.delete(name)) return;
-    this.notify(name);
+    this.tell(name);
   }
 
   /** Returns true if the user has opened or changed it. */
@@ -188,7 +188,7 @@ export class Documents {
     return new Map([...(this.engineHasSamples ? [] : this.samples), ...own]);
   }
 
-  private notify(name: string): void {
+  private tell(name: string): void {
     this.kinds.delete(name);
     for (const listener of this.listeners) listener(name);
   }

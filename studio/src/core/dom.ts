@@ -11,22 +11,22 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   attributes: Attributes = {},
   ...children: (Node | string)[]
 ): HTMLElementTagNameMap[K] {
-  const created = document.createElement(tag);
+  const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (typeof value === "function") created.addEventListener(name.slice(2), value);
-    else if (value === true) created.setAttribute(name, "");
-    else if (value !== false && value !== undefined) created.setAttribute(name, String(value));
+    if (typeof value === "function") made.addEventListener(name.slice(2), value);
+    else if (value === true) made.setAttribute(name, "");
+    else if (value !== false && value !== undefined) made.setAttribute(name, String(value));
   }
-  created.append(...children);
-  return created;
+  made.append(...children);
+  return made;
 }
 
 /** Of a drawing. */
 export function svgElement(tag: string, attributes: Record<string, string> = {}, ...children: Node[]): SVGElement {
-  const created = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) created.setAttribute(name, value);
-  created.append(...children);
-  return created;
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
 }
 
 /** Creates a checkbox with its label. */

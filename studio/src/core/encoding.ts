@@ -18,9 +18,9 @@ const BYTE_ORDER_MARK = "\ufeff";
 export function readText(bytes: Uint8Array): { text: string; textFormat: TextFormat } {
   const [first, second] = bytes;
   const encoding = first === 0xff && second === 0xfe ? "utf-16le" : isUtf8(bytes) ? "utf-8" : "windows-1252";
-  const fullText = new TextDecoder(encoding, { ignoreBOM: true }).decode(bytes);
-  const hasByteOrderMark = fullText.startsWith(BYTE_ORDER_MARK);
-  const text = hasByteOrderMark ? fullText.slice(1) : fullText;
+  const whole = new TextDecoder(encoding, { ignoreBOM: true }).decode(bytes);
+  const hasByteOrderMark = whole.startsWith(BYTE_ORDER_MARK);
+  const text = hasByteOrderMark ? whole.slice(1) : whole;
   return { text, textFormat: { encoding, hasByteOrderMark, crlf: text.includes("\r\n") } };
 }
 
@@ -38,10 +38,10 @@ function isUtf8(bytes: Uint8Array): boolean {
  */
 export function writeText(text: string, textFormat: TextFormat): Uint8Array<ArrayBuffer> {
   const lines = textFormat.crlf ? text.replace(/\r?\n/g, "\r\n") : text;
-  const fullText = textFormat.hasByteOrderMark ? BYTE_ORDER_MARK + lines : lines;
-  if (textFormat.encoding === "utf-16le") return new Uint8Array(Uint16Array.from(fullText, (c) => c.charCodeAt(0)).buffer);
-  const narrow = textFormat.encoding === "windows-1252" ? encodeSingleByte(fullText) : null;
-  return narrow ?? new TextEncoder().encode(fullText);
+  const whole = textFormat.hasByteOrderMark ? BYTE_ORDER_MARK + lines : lines;
+  if (textFormat.encoding === "utf-16le") return new Uint8Array(Uint16Array.from(whole, (c) => c.charCodeAt(0)).buffer);
+  const narrow = textFormat.encoding === "windows-1252" ? encodeSingleByte(whole) : null;
+  return narrow ?? new TextEncoder().encode(whole);
 }
 
 function encodeSingleByte(text: string): Uint8Array<ArrayBuffer> | null {

@@ -35,7 +35,7 @@ export interface Engine {
    * Sends a request; `onMessage` receives the engine's messages as they come. `storageKey`: the name under
    * which `runStorage` stores the run; empty: not stored.
    */
-  request(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void, storageKey?: string): Promise<RequestResult>;
+  ask(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void, storageKey?: string): Promise<RequestResult>;
   /** Ends all questions at once. */
   cancel(): void;
 }
@@ -43,7 +43,7 @@ export interface Engine {
 export const noEngine: Engine = {
   available: false,
   runStorage: null,
-  request: () => Promise.resolve({ ok: false, code: "unavailable", message: "this page has no engine" }),
+  ask: () => Promise.resolve({ ok: false, code: "unavailable", message: "this page has no engine" }),
   cancel() {},
 };
 

@@ -14,7 +14,7 @@ import { TaskQueues } from "./task_queues";
  */
 export type FileMark = "" | "unsaved" | "conflict" | "gone";
 
-export type SaveResult = { kind: "saved" } | { kind: "conflict" } | { kind: "failed"; message: string };
+export type SaveResult = { kind: "saved" } | { kind: "conflict" } | { kind: "failed"; why: string };
 
 interface Entry {
   bytes: number;
@@ -49,7 +49,7 @@ export class Folder {
     session.store.watch(["pathFile", "variantsFile"], () => this.readSelectedFiles());
     session.documents.on((name) => {
       if (this.isCreationUndone(name)) void this.readAll([name]);
-      this.notify();
+      this.tell();
     });
   }
 
@@ -112,10 +112,10 @@ export class Folder {
     history.flushTypedText();
     const content = documents.get(name);
     const bytes = documents.bytesToSave(name);
-    if (bytes === undefined) return { kind: "failed", message: texts.folder.noDocument };
-    const isTaken = this.has(to) || (to !== name && documents.userContent(to) !== undefined);
+    if (bytes === undefined) return { kind: "failed", why: texts.folder.noDocument };
+    const isTaken = this.has(to) || (to !== name && documents.own(to) !== undefined);
     const saved = isTaken ? ({ kind: "conflict" } as const) : await this.taskQueues.accept(to, () => this.write(to, bytes, null));
-    if (saved.kind === "conflict") return { kind: "failed", message: texts.folder.exists };
+    if (saved.kind === "conflict") return { kind: "failed", why: texts.folder.exists };
     if (saved.kind === "failed") return saved;
     history.flushTypedText();
     documents.storeFolderFile(to, bytes);
@@ -146,7 +146,7 @@ export class Folder {
         if (saved.kind === "saved" && theirs) this.addUndoStep(name, theirs.content);
         return saved;
       } catch (error) {
-        return { kind: "failed", message: errorText(error) };
+        return { kind: "failed", why: errorText(error) };
       }
     });
   }
@@ -167,12 +167,12 @@ export class Folder {
   private replaceWithDiskVersion(name: string, theirs: { bytes: Uint8Array; tag: string }): void {
     const { documents, history } = this.session;
     history.flushTypedText();
-    const mine = documents.userContent(name);
+    const mine = documents.own(name);
     this.recordBaseVersion(name, theirs);
     documents.storeFolderFile(name, theirs.bytes);
     history.recordChange(texts.folder.replaced(name), { documents: { [name]: mine ?? null } });
     this.session.changed([name]);
-    this.notify();
+    this.tell();
   }
 
   /** Records that the document comes from the folder's version. */
@@ -189,7 +189,7 @@ export class Folder {
     history.flushTypedText();
     const content = documents.get(name);
     const bytes = documents.bytesToSave(name);
-    if (content === undefined || bytes === undefined) return { kind: "failed", message: texts.folder.noDocument };
+    if (content === undefined || bytes === undefined) return { kind: "failed", why: texts.folder.noDocument };
     const saved = await this.write(name, bytes, tag);
     if (saved.kind !== "saved") return saved;
     history.flushTypedText();
@@ -207,9 +207,9 @@ export class Folder {
       this.files.set(name, { bytes: bytes.length, tag: written.tag, base });
       return { kind: written.ok ? "saved" : "conflict" };
     } catch (error) {
-      return { kind: "failed", message: errorText(error) };
+      return { kind: "failed", why: errorText(error) };
     } finally {
-      this.notify();
+      this.tell();
     }
   }
 
@@ -225,7 +225,7 @@ export class Folder {
     }
     // Files missing in a cut list may still exist.
     if (!cut) for (const name of before.filter((each) => !present.has(each))) await this.changed({ name, tag: null });
-    this.notify();
+    this.tell();
   }
 
   private add({ name, bytes, tag }: FolderFile): void {
@@ -244,7 +244,7 @@ export class Folder {
     if (tag === null) return this.handleRemoval(name);
     this.files.set(name, { bytes: entry?.bytes ?? 0, tag, base: entry?.base ?? null });
     if (await this.read(name)) this.reportLoadedChange(name);
-    this.notify();
+    this.tell();
   }
 
   /** Keeps unsaved or running documents, and marks them as gone. */
@@ -257,7 +257,7 @@ export class Folder {
     else this.files.delete(name);
     documents.removeFolderFile(name);
     if (!isInUse) documents.remove(name);
-    this.notify();
+    this.tell();
   }
 
   private initialFileNames(): string[] {
@@ -316,7 +316,7 @@ export class Folder {
       documents.list(name, read.bytes.length);
       if (isSame && documents.isUserFile(name)) documents.saved(name, documents.get(name)!, read.bytes);
       else {
-        const before = documents.userContent(name);
+        const before = documents.own(name);
         documents.storeFolderFile(name, read.bytes);
         // A separate step, so that undoing an earlier step does not remove it, too.
         if (before !== undefined) history.recordChange(texts.folder.replaced(name), { documents: { [name]: before } });
@@ -338,10 +338,10 @@ export class Folder {
   private setDisconnected(isDisconnected: boolean): void {
     if (this.isDisconnected === isDisconnected) return;
     this.isDisconnected = isDisconnected;
-    this.notify();
+    this.tell();
   }
 
-  private notify(): void {
+  private tell(): void {
     for (const listener of this.listeners) listener();
   }
 }

@@ -16,9 +16,9 @@ export class FrameSplitter {
     for (let at = 0; at < bytes.length; ) {
       at += this.fill(bytes.subarray(at));
       if (!this.frame || this.filled < this.frame.length) continue;
-      const complete = this.frame;
+      const whole = this.frame;
       [this.frame, this.filled] = [null, 0];
-      onFrame(complete);
+      onFrame(whole);
     }
   }
 

@@ -34,7 +34,7 @@ const MERGE_MS = 1500;
  */
 const MAX_CHARACTERS = 200_000_000;
 
-const complete = ({ documents = {}, setup = {} }: Change): Required<Change> => ({ documents, setup });
+const whole = ({ documents = {}, setup = {} }: Change): Required<Change> => ({ documents, setup });
 
 const stepSize = ({ other }: Step): number =>
   Object.values(other.documents).reduce((sum, content) => sum + (content?.length ?? 0), 0);
@@ -54,7 +54,7 @@ export class History {
   constructor(
     private readonly documents: Documents,
     private readonly session: SetupOwner,
-    private readonly maxCharacters = MAX_CHARACTERS,
+    private readonly mostCharacters = MAX_CHARACTERS,
   ) {}
 
   /** Returns the label of the step that undo() would revert, and redo() repeat; empty: none. */
@@ -72,20 +72,20 @@ export class History {
    */
   edit(label: string, change: Change, merge = ""): void {
     this.flushTypedText();
-    const requested = complete(change);
+    const requested = whole(change);
     const before = this.present(requested);
     if (isSame(before, requested)) return;
     this.apply(requested);
     this.keep(label, before, merge);
-    this.notify(requested);
+    this.tell(requested);
   }
 
   /** Keeps the state before a change that has been made already, for example by typing. */
   recordChange(label: string, before: Change, merge = ""): void {
-    const other = complete(before);
+    const other = whole(before);
     if (isSame(other, this.present(other))) return;
     this.keep(label, other, merge);
-    this.notify(null);
+    this.tell(null);
   }
 
   undo(): void {
@@ -126,14 +126,14 @@ export class History {
     to.push({ label: step.label, other: this.present(step.other), merge: "", at_ms: 0 });
     this.apply(step.other);
     this.forget();
-    this.notify(step.other);
+    this.tell(step.other);
   }
 
   /** Returns the present state of the items of a change. */
   private present({ documents, setup }: Required<Change>): Required<Change> {
     const now = this.session.setup as unknown as Record<string, unknown>;
     return {
-      documents: Object.fromEntries(Object.keys(documents).map((name) => [name, this.documents.userContent(name) ?? null])),
+      documents: Object.fromEntries(Object.keys(documents).map((name) => [name, this.documents.own(name) ?? null])),
       setup: Object.fromEntries(Object.keys(setup).map((key) => [key, now[key]])),
     };
   }
@@ -141,7 +141,7 @@ export class History {
   private apply({ documents, setup }: Required<Change>): void {
     for (const [name, content] of Object.entries(documents)) {
       if (content === null) this.documents.remove(name);
-      else this.documents.write(name, content);
+      else this.documents.put(name, content);
     }
     if (Object.keys(setup).length > 0) this.session.change(setup);
   }
@@ -163,10 +163,10 @@ export class History {
   /** Drops the oldest steps if all together are too large; the last one stays. */
   private forget(): void {
     let characters = [...this.done, ...this.undoneSteps].reduce((sum, step) => sum + stepSize(step), 0);
-    while (characters > this.maxCharacters && this.done.length > 1) characters -= stepSize(this.done.shift()!);
+    while (characters > this.mostCharacters && this.done.length > 1) characters -= stepSize(this.done.shift()!);
   }
 
-  private notify(applied: Change | null): void {
+  private tell(applied: Change | null): void {
     for (const listener of this.listeners) listener(applied);
   }
 }

@@ -128,8 +128,8 @@ export function readJson(text: string): JsonValue {
 }
 
 /** Returns the position of a value; throws a JsonError if it does not exist. */
-export function valueSpan(text: string, path: JsonPath): Span {
-  const from = path.reduce<number>((at, step) => childStart(text, at, step), skipSpace(text, 0));
+export function valueSpan(text: string, place: JsonPath): Span {
+  const from = place.reduce<number>((at, step) => childStart(text, at, step), skipSpace(text, 0));
   return { from, to: valueEnd(text, from) };
 }
 
@@ -163,26 +163,26 @@ function indentAt(text: string, at: number): string {
 }
 
 /** Changes the text of the value at this position. */
-export function changeValue(text: string, path: JsonPath, change: (value: string) => string): string {
-  const { from, to } = valueSpan(text, path);
+export function changeValue(text: string, place: JsonPath, change: (value: string) => string): string {
+  const { from, to } = valueSpan(text, place);
   return splice(text, from, to, change(text.slice(from, to)));
 }
 
 /** Replaces the value at this position. */
-export function replaceValue(text: string, path: JsonPath, value: JsonValue): string {
-  const { from } = valueSpan(text, path);
-  return changeValue(text, path, (before) => formatLike(value, before, indentAt(text, from)));
+export function replaceValue(text: string, place: JsonPath, value: JsonValue): string {
+  const { from } = valueSpan(text, place);
+  return changeValue(text, place, (before) => formatLike(value, before, indentAt(text, from)));
 }
 
 /**
  * Sets a member of an object; undefined removes it. A new one is inserted after those that precede it in
  * `order`.
  */
-export function setMember(text: string, path: JsonPath, key: string, value: JsonValue | undefined, order: readonly string[]): string {
-  const object = valueSpan(text, path);
+export function setMember(text: string, place: JsonPath, key: string, value: JsonValue | undefined, order: readonly string[]): string {
+  const object = valueSpan(text, place);
   const members = readChildren(text, object.from);
   const at = members.findIndex((member) => member.key === key);
-  if (at >= 0) return value === undefined ? removeChildren(text, members, at, 1) : replaceValue(text, [...path, key], value);
+  if (at >= 0) return value === undefined ? removeChildren(text, members, at, 1) : replaceValue(text, [...place, key], value);
   if (value === undefined) return text;
   const rank = (name: string) => (order.includes(name) ? order.indexOf(name) : order.length);
   const before = members.findLastIndex((member) => rank(member.key) <= rank(key));
@@ -190,32 +190,32 @@ export function setMember(text: string, path: JsonPath, key: string, value: Json
 }
 
 /** Inserts values into a list at an index, as they are written. */
-export function insertTexts(text: string, path: JsonPath, index: number, written: readonly string[]): string {
-  const list = valueSpan(text, path);
+export function insertTexts(text: string, place: JsonPath, index: number, written: readonly string[]): string {
+  const list = valueSpan(text, place);
   return insertChildren(text, list, readChildren(text, list.from), index, written);
 }
 
 /** Inserts values into a list at an index, formatted like the previous one. */
-export function insertItems(text: string, path: JsonPath, index: number, values: readonly JsonValue[]): string {
-  const neighbour = readChildren(text, valueSpan(text, path).from)[Math.max(index - 1, 0)];
+export function insertItems(text: string, place: JsonPath, index: number, values: readonly JsonValue[]): string {
+  const neighbour = readChildren(text, valueSpan(text, place).from)[Math.max(index - 1, 0)];
   const like = neighbour ? text.slice(neighbour.from, neighbour.to) : "";
   const indent = neighbour ? indentAt(text, neighbour.from) : "";
-  return insertTexts(text, path, index, values.map((value) => formatLike(value, like, indent)));
+  return insertTexts(text, place, index, values.map((value) => formatLike(value, like, indent)));
 }
 
 /** Returns the texts of some items of a list. */
-export const itemTexts = (text: string, path: JsonPath, first: number, count: number): string[] =>
-  readChildren(text, valueSpan(text, path).from)
+export const itemTexts = (text: string, place: JsonPath, first: number, count: number): string[] =>
+  readChildren(text, valueSpan(text, place).from)
     .slice(first, first + count)
     .map(({ from, to }) => text.slice(from, to));
 
 /** Removes items from a list. */
-export const removeItems = (text: string, path: JsonPath, first: number, count: number): string =>
-  removeChildren(text, readChildren(text, valueSpan(text, path).from), first, count);
+export const removeItems = (text: string, place: JsonPath, first: number, count: number): string =>
+  removeChildren(text, readChildren(text, valueSpan(text, place).from), first, count);
 
 /** Reorders the items of a list: `order` has the previous index of each item. */
-export function reorderItems(text: string, path: JsonPath, order: readonly number[]): string {
-  const items = readChildren(text, valueSpan(text, path).from);
+export function reorderItems(text: string, place: JsonPath, order: readonly number[]): string {
+  const items = readChildren(text, valueSpan(text, place).from);
   const pieces: string[] = [];
   let at = 0;
   items.forEach(({ from, to }, i) => {

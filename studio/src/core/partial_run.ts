@@ -32,8 +32,8 @@ export class PartialRun {
     const storageKey = this.names.find((name) => name !== store.get("run")?.storageKey)!;
     const run = new Run(sources, (number) => runStorage.laws(storageKey, number), storageKey);
     run.laws!.onLoaded = () => store.set("loadCount", store.get("loadCount") + 1);
-    run.laws!.failed = (message) => {
-      if (store.get("run") === run) store.set("notice", texts.folder.notFetched(message));
+    run.laws!.failed = (why) => {
+      if (store.get("run") === run) store.set("notice", texts.folder.notFetched(why));
     };
     return run;
   }

@@ -15,8 +15,8 @@ export function toDisplayedPath(name: string, text: string): DisplayedPath {
   return { name, text, file: read, walk: traversePath(read), error: "" };
 }
 
-const exists = (file: PathFile, targetId: TargetId): boolean =>
-  targetId.target < 0 ? file.paths[targetId.path] !== undefined : targetAt(file, targetId) !== undefined;
+const exists = (file: PathFile, place: TargetId): boolean =>
+  place.target < 0 ? file.paths[place.path] !== undefined : targetAt(file, place) !== undefined;
 
 /** Keeps the shown path up to date with the file. */
 export function watchPath(store: Store, { documents }: Session): void {

@@ -78,7 +78,7 @@ export class RemoteEngine implements Engine {
     this.runStorage = { blocks: MAX_STORED_BLOCKS, laws: (run, number) => server.laws(run, number) };
   }
 
-  request(request: Record<string, unknown>, files: Files, onMessage: MessageHandler, storageKey = ""): Promise<RequestResult> {
+  ask(request: Record<string, unknown>, files: Files, onMessage: MessageHandler, storageKey = ""): Promise<RequestResult> {
     const { signal } = this.abortController;
     const result = this.last.then(() => this.postRequest(requestBody(request, files), signal, onMessage, storageKey));
     this.last = result;
@@ -94,11 +94,11 @@ export class RemoteEngine implements Engine {
 
   private async postRequest(body: string, signal: AbortSignal, onMessage: MessageHandler, storageKey: string): Promise<RequestResult> {
     if (signal.aborted) return cancelled;
-    const storageHeaders: Record<string, string> = storageKey ? { Run: storageKey, Whole: String(this.wholeSegments) } : {};
+    const kept: Record<string, string> = storageKey ? { Run: storageKey, Whole: String(this.wholeSegments) } : {};
     try {
       const response = await fetch(this.server.address("ask"), {
         method: "POST",
-        headers: { "Content-Type": "application/json", ...storageHeaders },
+        headers: { "Content-Type": "application/json", ...kept },
         body,
         signal,
       });

@@ -8,8 +8,8 @@ const LOCATED_MESSAGE = /^(.+?):(\d+):(\d+): ([\s\S]*)$/;
 
 function failureDiagnostic(code: string, message: string): EngineDiagnostic {
   const [, file, line, column, text] = LOCATED_MESSAGE.exec(message) ?? [];
-  const location = { file: file ?? "", line: Number(line ?? 0), column: Number(column ?? 0), end_column: 0 };
-  return { severity: "error", code, ...location, text: text ?? message, hint: "" };
+  const place = { file: file ?? "", line: Number(line ?? 0), column: Number(column ?? 0), end_column: 0 };
+  return { severity: "error", code, ...place, text: text ?? message, hint: "" };
 }
 
 /** Returns all diagnostics, and the reason of the failure, if that has not been reported already. */

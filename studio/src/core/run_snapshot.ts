@@ -15,7 +15,7 @@ export type Versions = ReadonlyMap<string, string>;
 export interface Origin {
   setup: Readonly<Setup>;
   /** User's documents, by name; samples never change. */
-  userDocuments: ReadonlyMap<string, FileContent>;
+  own: ReadonlyMap<string, FileContent>;
   /** Versions of the folder by then; the page may not have loaded some texts yet. */
   versions: Versions;
   /** Texts of the program and of all documents of the user. */
@@ -23,20 +23,20 @@ export interface Origin {
 }
 
 export function createSnapshot(setup: Readonly<Setup>, documents: Documents, versions: Versions = new Map()): Origin {
-  const userDocuments = new Map(documents.userFileNames().map((name) => [name, documents.get(name)!]));
-  const names = [setup.program, ...userDocuments.keys()].filter((name) => typeof documents.get(name) === "string");
-  return { setup: { ...setup }, userDocuments, versions, texts: new Map(names.map((name) => [name, documents.text(name)])) };
+  const own = new Map(documents.userFileNames().map((name) => [name, documents.get(name)!]));
+  const names = [setup.program, ...own.keys()].filter((name) => typeof documents.get(name) === "string");
+  return { setup: { ...setup }, own, versions, texts: new Map(names.map((name) => [name, documents.text(name)])) };
 }
 
 /** Returns documents that the run would read differently today, by name. */
-export function changedSince(run: Run, { setup, userDocuments, versions }: Origin, documents: Documents, now: Versions = new Map()): string[] {
-  const names = new Set([...userDocuments.keys(), ...documents.userFileNames(), ...versions.keys(), ...now.keys()]);
+export function changedSince(run: Run, { setup, own, versions }: Origin, documents: Documents, now: Versions = new Map()): string[] {
+  const names = new Set([...own.keys(), ...documents.userFileNames(), ...versions.keys(), ...now.keys()]);
   const isSame = (name: string) => {
     // The file was read from the folder, so a text loaded since then is no change.
-    if (!userDocuments.has(name) && versions.has(name)) return versions.get(name) === now.get(name) && !documents.isUnsaved(name);
-    if (userDocuments.get(name) === documents.userContent(name)) return userDocuments.has(name) || !now.has(name);
+    if (!own.has(name) && versions.has(name)) return versions.get(name) === now.get(name) && !documents.isUnsaved(name);
+    if (own.get(name) === documents.own(name)) return own.has(name) || !now.has(name);
     // An identical copy of a sample is no change.
-    return (userDocuments.get(name) ?? documents.samples.get(name)) === documents.get(name);
+    return (own.get(name) ?? documents.samples.get(name)) === documents.get(name);
   };
   return [...names].filter((name) => !isSame(name) && affectsRun(name, documents.kindOf(name), setup, run));
 }

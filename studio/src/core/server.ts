@@ -45,7 +45,7 @@ const RESPONSE_TIMEOUT_MS = 20_000;
 
 const pause = (ms: number) => new Promise((go) => setTimeout(go, ms));
 
-/** Returns why the server rejected a request, in the words of the server if it sent some. */
+/** Returns why the server refused, in its own words if it sent some. */
 export async function errorMessage(response: Response): Promise<string> {
   const { error } = await responseJson(response);
   return typeof error === "string" ? error : texts.folder.refused(response.status);
@@ -103,21 +103,21 @@ export class Server {
   }
 
   /**
-   * Reports changes as they come. Calls `onBegin` when some may have been missed, so that all files are
-   * listed again. Returns when the server is silent or has ended. It polls, because a response that does not
-   * end takes one of the six connections that a browser has for all pages of a server.
+   * Reports changes as they come. Calls `begun` when some may have been missed, so that all files are listed
+   * again. Returns when the server is silent or gone. It polls, because a response that does not end takes
+   * one of the six connections that a browser has for all pages of a server.
    */
-  async follow(onBegin: () => void, changed: (change: FolderChange) => void): Promise<void> {
+  async follow(begun: () => void, changed: (change: FolderChange) => void): Promise<void> {
     for (let at: number | null = null; ; await pause(POLL_MS)) {
       const changes: Changes | null = await this.changesSince(at).catch(() => null);
       if (!changes) return;
-      if (changes.again) onBegin();
+      if (changes.again) begun();
       changes.changed.forEach(changed);
       at = changes.at;
     }
   }
 
-  /** null: the server rejects the request. */
+  /** null: it refuses. */
   private async changesSince(at: number | null): Promise<Changes | null> {
     const address = this.address(at === null ? "changes" : `changes?since=${at}`);
     const response = await fetch(address, { cache: "no-store", signal: AbortSignal.timeout(RESPONSE_TIMEOUT_MS) });

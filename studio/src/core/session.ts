@@ -111,7 +111,7 @@ export class Session {
   ): Promise<EngineResponse> {
     const messages: Message[] = [];
     const files = new Map([...documents, ...Object.entries(more)]);
-    const response = await this.checker.request(request, files, (message) => messages.push(message));
+    const response = await this.checker.ask(request, files, (message) => messages.push(message));
     return { ...response, messages };
   }
 
@@ -238,7 +238,7 @@ export class Session {
     if (setup.controller) {
       const other = await overrideController(setup, (request) => this.sendRequest(request));
       if (turn !== this.turn) return null;
-      if ("error" in other) return withRunError(run, other.error);
+      if ("refusal" in other) return withRunError(run, other.refusal);
       files = new Map([...files, [other.machine, other.text]]);
     }
     const { robots, collisions, feed_override_percent, rapid_override_percent, spindle_override_percent } = setup;
@@ -254,7 +254,7 @@ export class Session {
       if (message.is !== "progress") run.addMessage(message);
       onMessage(run, message);
     };
-    const response = await this.runner.request(request, files, addMessage, run.storageKey);
+    const response = await this.runner.ask(request, files, addMessage, run.storageKey);
     if (turn === this.turn) this.isRequestPending = false;
     if (response.code === "cancelled") return null;
     return response.ok ? run : withRunError(run, response.message, response.code);
@@ -264,15 +264,15 @@ export class Session {
     const before = this.store.get("run");
     if (run.isLong || before?.isLong) this.store.set("previous", null);
     else if (before && isComparable(before)) this.store.set("previous", before);
-    this.setRun(run, before?.report?.program === run.report?.program);
+    this.put(run, before?.report?.program === run.report?.program);
   }
 
-  /** Shows the run; with `continues`, at the instant of the previous run of the same program. */
-  private setRun(run: Run, continues: boolean): void {
+  /** Shows the run; with `goesOn`, at the instant of the previous run of the same program. */
+  private put(run: Run, goesOn: boolean): void {
     this.store.set("playing", false);
     this.store.set("run", run);
     this.partialRun.end();
-    this.store.set("time_s", continues ? Math.min(this.store.get("time_s"), run.end_s) : 0);
+    this.store.set("time_s", goesOn ? Math.min(this.store.get("time_s"), run.end_s) : 0);
   }
 
   /**
@@ -287,7 +287,7 @@ export class Session {
     this.rerunTimer.cancel();
     this.isRerunDue = false;
     const before = this.store.get("run");
-    if (run !== before) this.setRun(run, before?.report?.program === run.report?.program);
+    if (run !== before) this.put(run, before?.report?.program === run.report?.program);
   }
 
   cancel(): void {
@@ -315,7 +315,7 @@ export class Session {
   async check(program: string): Promise<EngineDiagnostic[]> {
     const diagnostics: EngineDiagnostic[] = [];
     if (!program || isScript(program)) return diagnostics;
-    await this.requestDiagnostics("check", program, (header) => diagnostics.push(header as unknown as EngineDiagnostic));
+    await this.ask("check", program, (header) => diagnostics.push(header as unknown as EngineDiagnostic));
     return diagnostics;
   }
 
@@ -336,7 +336,7 @@ export class Session {
   async translate(program: string): Promise<string | null> {
     if (!program || isScript(program)) return null;
     let script: string | null = null;
-    await this.checker.request(this.request("translate", program), this.documents.files(), (message) => {
+    await this.checker.ask(this.request("translate", program), this.documents.files(), (message) => {
       if (message.is === "script") script = new TextDecoder().decode(message.columns.get("lua") as Uint8Array);
     });
     return script;
@@ -347,17 +347,17 @@ export class Session {
    */
   async envelope(): Promise<Uint8Array | null> {
     let surface: Uint8Array | null = null;
-    await this.checker.request(this.request("envelope", ""), this.documents.files(), (message) => {
+    await this.checker.ask(this.request("envelope", ""), this.documents.files(), (message) => {
       if (message.is === "envelope") surface = message.columns.get("stl") as Uint8Array;
     });
     return surface;
   }
 
-  /** Both languages; requested once. */
+  /** Both languages; asked for once. */
   languages(): Promise<Language[]> {
     this.known ??= new Promise((resolve) => {
       void this.checker
-        .request({ do: "languages" }, new Map(), (message) => {
+        .ask({ do: "languages" }, new Map(), (message) => {
           if (message.is === "languages") resolve(message.header.languages as Language[]);
         })
         .then(() => resolve([]));
@@ -365,8 +365,8 @@ export class Session {
     return this.known;
   }
 
-  private requestDiagnostics(what: string, program: string, onDiagnostic: (header: Record<string, unknown>) => void): Promise<RequestResult> {
-    return this.checker.request(this.request(what, program), this.documents.files(), (message) => {
+  private ask(what: string, program: string, onDiagnostic: (header: Record<string, unknown>) => void): Promise<RequestResult> {
+    return this.checker.ask(this.request(what, program), this.documents.files(), (message) => {
       if (message.is === "diagnostic") onDiagnostic(message.header);
     });
   }

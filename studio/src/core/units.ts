@@ -74,7 +74,7 @@ export function energyText(energy_j: number): string {
 export const countText = (count: number): string => count.toLocaleString("en");
 
 /** Returns a percentage, "12.3", with as many digits as distinguish small shares. */
-export function percentText(part: number, total: number): string {
-  const percent = total > 0 ? (100 * part) / total : 0;
+export function percentText(part: number, whole: number): string {
+  const percent = whole > 0 ? (100 * part) / whole : 0;
   return percent >= 10 || percent === 0 ? percent.toFixed(1) : percent.toPrecision(2);
 }

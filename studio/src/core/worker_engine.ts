@@ -30,7 +30,7 @@ export class WorkerEngine implements Engine {
     private readonly module: Promise<WebAssembly.Module>,
   ) {}
 
-  async request(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void): Promise<RequestResult> {
+  async ask(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void): Promise<RequestResult> {
     const id = this.next++;
     return new Promise((end) => {
       this.open.set(id, { onMessage, end });
@@ -46,10 +46,10 @@ export class WorkerEngine implements Engine {
     this.endAll(cancelled);
   }
 
-  private send(module: WebAssembly.Module, engineRequest: EngineRequest): void {
+  private send(module: WebAssembly.Module, ask: EngineRequest): void {
     if (!this.worker) this.worker = this.startWorker(module);
-    if (totalSize(engineRequest.files) > LARGE_FILES) this.grown = true;
-    this.worker.postMessage(engineRequest satisfies ToWorker);
+    if (totalSize(ask.files) > LARGE_FILES) this.grown = true;
+    this.worker.postMessage(ask satisfies ToWorker);
   }
 
   private startWorker(module: WebAssembly.Module): Worker {
@@ -79,8 +79,8 @@ export class WorkerEngine implements Engine {
   }
 
   // Out of memory, or an internal error of the engine: a new worker starts from an empty state.
-  private fail(errorText: string): void {
-    this.endAll({ ok: false, code: "internal", message: errorText });
+  private fail(why: string): void {
+    this.endAll({ ok: false, code: "internal", message: why });
   }
 
   private endAll(response: RequestResult): void {

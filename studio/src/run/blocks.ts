@@ -65,8 +65,8 @@ export class Blocks {
     const { segments } = this;
     const line = segments.lineOf(segment);
     const isOf = (other: number) => {
-      const location = segments.lineOf(other);
-      return location.file === line.file && location.line === line.line;
+      const own = segments.lineOf(other);
+      return own.file === line.file && own.line === line.line;
     };
     let [begin, end] = segments.sectionOf(segment).blockAround(segment);
     while (begin > this.segmentsInTable && isOf(begin - 1)) [begin] = segments.sectionOf(begin - 1).blockAround(begin - 1);
@@ -123,7 +123,7 @@ export class Blocks {
   }
 
   /** Returns the blocks of a line after the table. */
-  *blocksAfterTable(line: Line): Generator<number> {
+  *behindTable(line: Line): Generator<number> {
     const { sections, chunks } = this.segments;
     let end = 0;
     for (let i = chunks.length; i < sections.length; ++i) {
@@ -138,7 +138,7 @@ export class Blocks {
 
   /** Returns the first block that comes from a line; -1: it moves nothing. */
   firstOf(file: number, line: number): number {
-    return this.blocksOfLine(file, line)[0] ?? (this.blocksAfterTable({ file, line }).next().value as number | undefined) ?? -1;
+    return this.blocksOfLine(file, line)[0] ?? (this.behindTable({ file, line }).next().value as number | undefined) ?? -1;
   }
 
   /**
@@ -164,7 +164,7 @@ export class Blocks {
     return this.start_s(next) - t_s < t_s - this.start_s(here) ? next : here;
   }
 
-  /** Returns the blocks in the nearest sections on both sides that contain the line. */
+  /** Returns the blocks in the nearest stretches on both sides that contain the line. */
   private nearBlocksAfterTable(line: Line, t_s: number): number[] {
     const { sections, chunks } = this.segments;
     const here = Math.max(lastIndex(sections.length, (i) => sections[i].start_s <= t_s), chunks.length);

@@ -36,20 +36,20 @@ function supportFunction(shape: Shape, meshes: Float32Array[]): (direction: Vect
 }
 
 function supportPoint(coordinates: ArrayLike<number>, d: Vector3): Vector3 {
-  let [best, maxAlong] = [0, -Infinity];
+  let [best, most] = [0, -Infinity];
   for (let i = 0; i < coordinates.length; i += 3) {
     const along = coordinates[i] * d.x + coordinates[i + 1] * d.y + coordinates[i + 2] * d.z;
-    if (along > maxAlong) [best, maxAlong] = [i, along];
+    if (along > most) [best, most] = [i, along];
   }
   return new Vector3(coordinates[best], coordinates[best + 1], coordinates[best + 2]);
 }
 
 /** Returns a body of a scene at its pose. */
-export function createCore(shape: Shape, meshes: Float32Array[], pose: Matrix4): Core {
+export function createCore(shape: Shape, meshes: Float32Array[], place: Matrix4): Core {
   const support = supportFunction(shape, meshes);
-  const back = new Matrix3().setFromMatrix4(pose).transpose();
+  const back = new Matrix3().setFromMatrix4(place).transpose();
   return {
-    support: (direction) => support(direction.clone().applyMatrix3(back)).applyMatrix4(pose),
+    support: (direction) => support(direction.clone().applyMatrix3(back)).applyMatrix4(place),
     margin_mm: shape.kind === "mesh" ? 0 : shape.margin_mm,
   };
 }

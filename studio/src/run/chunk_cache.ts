@@ -1,4 +1,4 @@
-// Columns of a long run that a page does not hold: fetched by sections; the last few that were viewed are
+// Columns of a long run that a page does not hold: fetched by stretches; the last few that were viewed are
 // kept.
 
 import type { Message } from "../core/message";
@@ -21,11 +21,11 @@ export class ChunkCache {
   private last: [RunSection, Chunk] | null = null;
   /** Called when some have been loaded, and why some have not. */
   onLoaded: () => void = () => {};
-  failed: (message: string) => void = () => {};
+  failed: (why: string) => void = () => {};
 
   constructor(
     private readonly fetch: FetchLaws,
-    private readonly maxChunks = MAX_CHUNKS,
+    private readonly most = MAX_CHUNKS,
   ) {}
 
   /** How many are kept. */
@@ -38,16 +38,16 @@ export class ChunkCache {
     if (this.last?.[0] === section) return this.last[1];
     const chunk = this.here.get(section);
     if (!chunk) return null;
-    this.store(section, chunk);
+    this.put(section, chunk);
     return chunk;
   }
 
   /** Stores a chunk as the last one that was viewed. */
-  private store(section: RunSection, chunk: Chunk): void {
+  private put(section: RunSection, chunk: Chunk): void {
     this.here.delete(section);
     this.here.set(section, chunk);
     this.last = [section, chunk];
-    while (this.here.size > this.maxChunks) this.here.delete(this.here.keys().next().value!);
+    while (this.here.size > this.most) this.here.delete(this.here.keys().next().value!);
   }
 
   /** Fetches these one by one; earlier requests that are not in progress are dropped. */
@@ -66,7 +66,7 @@ export class ChunkCache {
 
   /** Fetches one at once; returns true if it is then loaded. */
   async fetchNow(section: RunSection): Promise<boolean> {
-    if (section.permanentChunk || this.here.has(section)) return true;
+    if (section.whole || this.here.has(section)) return true;
     const pendingFetch = this.pendingFetch.get(section) ?? this.fetchSection(section);
     this.pendingFetch.set(section, pendingFetch);
     return pendingFetch;
@@ -79,7 +79,7 @@ export class ChunkCache {
       if (chunk.first !== section.first || chunk.count !== section.count || chunk.start_s[0] !== section.start_s) {
         throw new Error(`message ${section.number} belongs to another run`);
       }
-      this.store(section, chunk);
+      this.put(section, chunk);
       this.onLoaded();
       return true;
     } catch (error) {

@@ -50,9 +50,9 @@ function recordLayout({ values, joints }: Records, { at, flags }: SegmentRecord)
   const followers = next;
   next += 1;
   for (let i = values[followers]; i > 0; --i) next += 2 + lawSize(values, next + 2);
-  const uncoordinated = flags & Flag.uncoordinated ? next : -1;
+  const uncoordinated = flags & Flag.apart ? next : -1;
   if (uncoordinated >= 0) next += 1;
-  const superimposed = flags & Flag.superimposed ? { at: next + 2, flags: values[next], duration_s: values[next + 1] } : null;
+  const superimposed = flags & Flag.beside ? { at: next + 2, flags: values[next], duration_s: values[next + 1] } : null;
   return { lead, arc, head, followers, uncoordinated, superimposed };
 }
 
@@ -73,10 +73,10 @@ function setEnd(records: Records, part: SegmentRecord, superimposed: SegmentReco
 function setLinear({ values, joints }: Records, { at }: SegmentRecord, lead: LawState, scale: number, out: JointState): void {
   for (let j = 0; j < joints; ++j) {
     const start = values[at + j];
-    const travel = values[at + joints + j] - start;
-    out.position[j] = start + lead.s * scale * travel;
-    out.velocity[j] = lead.v * scale * travel;
-    out.acceleration[j] = lead.a * scale * travel;
+    const way = values[at + joints + j] - start;
+    out.position[j] = start + lead.s * scale * way;
+    out.velocity[j] = lead.v * scale * way;
+    out.acceleration[j] = lead.a * scale * way;
   }
 }
 
@@ -111,10 +111,10 @@ function setFollowers(records: Records, part: SegmentRecord, layout: Layout, t_s
   for (let i = values[layout.followers]; i > 0; --i) {
     const joint = values[next];
     const sign = values[next + 1];
-    const law = lawState(values, next + 2, layout.uncoordinated >= 0, t_s);
-    out.position[joint] = values[part.at + joint] + sign * law.s;
-    out.velocity[joint] = sign * law.v;
-    out.acceleration[joint] = sign * law.a;
+    const own = lawState(values, next + 2, layout.uncoordinated >= 0, t_s);
+    out.position[joint] = values[part.at + joint] + sign * own.s;
+    out.velocity[joint] = sign * own.v;
+    out.acceleration[joint] = sign * own.a;
     next += 2 + lawSize(values, next + 2);
   }
 }
@@ -194,7 +194,7 @@ export function pathAcceleration(
 
 /** True if all joints move in proportion to the leading law. */
 export function isProportional(records: Records, part: SegmentRecord): boolean {
-  if (part.flags & (Flag.arc | Flag.orientation | Flag.superimposed | Flag.uncoordinated)) return false;
+  if (part.flags & (Flag.arc | Flag.orientation | Flag.beside | Flag.apart)) return false;
   const lead = pathLawOffset(records, part.at);
   return records.values[lead + lawSize(records.values, lead)] === 0;
 }

@@ -77,7 +77,7 @@ export const Flag = {
   processOn: 1 << 2,
   arc: 1 << 3,
   orientation: 1 << 4,
-  superimposed: 1 << 5,
-  uncoordinated: 1 << 6,
+  beside: 1 << 5,
+  apart: 1 << 6,
   timed: 1 << 7,
 };

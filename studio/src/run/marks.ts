@@ -43,12 +43,12 @@ function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
   for (const finding of report.findings ?? []) {
     yield { ...plain, ...placed(finding), t_s: finding.t_s, kind: "finding", text: finding.message };
   }
-  for (const { t_s, kind, pair, ...location } of report.collisions ?? []) {
-    yield { ...plain, ...placed(location), t_s, kind: "collision", text: kind, pair };
+  for (const { t_s, kind, pair, ...place } of report.collisions ?? []) {
+    yield { ...plain, ...placed(place), t_s, kind: "collision", text: kind, pair };
   }
-  for (const { t_s, clearance_mm, pair, ...location } of report.clearances ?? []) {
+  for (const { t_s, clearance_mm, pair, ...place } of report.clearances ?? []) {
     if (clearance_mm <= 0) continue; // a contact, which is there as such
-    yield { ...plain, ...placed(location), t_s: t_s ?? lineStart_s(robot, location), kind: "near", text: "", pair, clearance_mm };
+    yield { ...plain, ...placed(place), t_s: t_s ?? lineStart_s(robot, place), kind: "near", text: "", pair, clearance_mm };
   }
   if (report.alarm) {
     yield { ...plain, ...placed(report.alarm), t_s: report.cycle_time_s, kind: "alarm", text: report.alarm.message };

@@ -178,11 +178,11 @@ export class Run {
    */
   locationsAt(robot: number, t_s: number): SourceLocation[] {
     if (!this.robots[robot]) return [];
-    const locations = this.eventsAt(robot, t_s).flatMap(({ file, line }) =>
+    const places = this.eventsAt(robot, t_s).flatMap(({ file, line }) =>
       file !== null && line !== null ? [{ file, line }] : [],
     );
-    const moving = locations.length === 0 ? this.locationOfMotion(robot, t_s) : null;
-    return moving ? [moving] : locations;
+    const moving = places.length === 0 ? this.locationOfMotion(robot, t_s) : null;
+    return moving ? [moving] : places;
   }
 
   /**

@@ -5,7 +5,7 @@
 import type { Message } from "../core/message";
 import { lastIndex } from "./search";
 
-/** All columns of the segments of a section (docs/studio.md). */
+/** All columns of the segments of a stretch (docs/studio.md). */
 export interface Chunk {
   /** Number of its first segment. */
   first: number;
@@ -79,15 +79,15 @@ export class RunSection {
   readonly vertex_mm: Float32Array;
   /** How many vertices it has. */
   readonly vertices: number;
-  /** Complete data of a permanently loaded section; null: fetched on demand. */
-  readonly permanentChunk: Chunk | null;
+  /** Complete data of a permanently loaded stretch; null: fetched on demand. */
+  readonly whole: Chunk | null;
   private readonly vertex_s: Float32Array;
   /** Origin of the vertex times. */
   private readonly base_s: number;
   private readonly packed: Uint32Array;
   private readonly lines: Uint32Array;
 
-  /** `number`: number of earlier messages of segments; `before`: the section that this one continues. */
+  /** `number`: number of earlier messages of segments; `before`: the stretch that this one continues. */
   constructor(
     readonly first: number,
     message: Message,
@@ -100,14 +100,14 @@ export class RunSection {
     this.vertex_s = column("vertex_s");
     this.vertices = this.vertex_s.length;
     this.packed = column("vertex_segment");
-    const permanentChunk = header.lean ? null : readChunk(message);
-    const last = permanentChunk ? permanentChunk.count - 1 : 0;
-    this.permanentChunk = permanentChunk;
+    const whole = header.lean ? null : readChunk(message);
+    const last = whole ? whole.count - 1 : 0;
+    this.whole = whole;
     this.lines = header.lean ? column("lines") : new Uint32Array();
-    this.count = permanentChunk?.count ?? (header.count as number);
-    this.start_s = permanentChunk?.start_s[0] ?? (header.start_s as number | undefined) ?? before?.end_s ?? 0;
-    this.base_s = permanentChunk ? 0 : this.start_s;
-    this.end_s = permanentChunk && last >= 0 ? permanentChunk.start_s[last] + permanentChunk.duration_s[last] : ((header.end_s as number) ?? this.start_s);
+    this.count = whole?.count ?? (header.count as number);
+    this.start_s = whole?.start_s[0] ?? (header.start_s as number | undefined) ?? before?.end_s ?? 0;
+    this.base_s = whole ? 0 : this.start_s;
+    this.end_s = whole && last >= 0 ? whole.start_s[last] + whole.duration_s[last] : ((header.end_s as number) ?? this.start_s);
   }
 
   /** Returns the segment that the part before a vertex belongs to. */
@@ -116,22 +116,22 @@ export class RunSection {
   }
 
   /**
-   * Returns the flags of that segment (docs/studio.md); for a lean section its move, its limit without an
+   * Returns the flags of that segment (docs/studio.md); for a lean stretch its move, its limit without an
    * axis, and its process.
    */
   vertexFlags(vertex: number): number {
     const packed = this.packed[vertex];
-    if (this.permanentChunk) return this.permanentChunk.flags[packed & SEGMENT_MASK];
+    if (this.whole) return this.whole.flags[packed & SEGMENT_MASK];
     return (((packed >>> 16) & 0xff) << 8) | (((packed >>> 24) & 1) << 2);
   }
 
-  /** Returns its mean speed along the path, mm/s; for a lean section within 5 %. */
+  /** Returns its mean speed along the path, mm/s; for a lean stretch within 5 %. */
   vertexSpeed_mm_s(vertex: number): number {
     const packed = this.packed[vertex];
-    if (!this.permanentChunk) return speeds_mm_s[packed >>> 25];
+    if (!this.whole) return speeds_mm_s[packed >>> 25];
     const segment = packed & SEGMENT_MASK;
-    const duration_s = this.permanentChunk.duration_s[segment];
-    return duration_s > 0 ? this.permanentChunk.length_mm[segment] / duration_s : 0;
+    const duration_s = this.whole.duration_s[segment];
+    return duration_s > 0 ? this.whole.length_mm[segment] / duration_s : 0;
   }
 
   time_s(vertex: number): number {
@@ -205,19 +205,19 @@ export class RunSection {
   /** Returns the source line of a segment. */
   lineOf(segment: number): Line {
     const inside = segment - this.first;
-    if (this.permanentChunk) return { file: this.permanentChunk.file[inside], line: this.permanentChunk.line[inside] };
+    if (this.whole) return { file: this.whole.file[inside], line: this.whole.line[inside] };
     const at = ROW_SIZE * this.rowOf(inside);
     const { lines } = this;
     return { file: lines[at + 1], line: (lines[at + 2] + lines[at + 3] * (inside - lines[at])) >>> 0 };
   }
 
   private isOf({ file, line }: Line, segment: number): boolean {
-    const location = this.lineOf(segment);
-    return location.file === file && location.line === line;
+    const own = this.lineOf(segment);
+    return own.file === file && own.line === line;
   }
 
   /**
-   * Returns the block of a segment in a lean section: its first segment with the same line, and the one after
+   * Returns the block of a segment in a lean stretch: its first segment with the same line, and the one after
    * its last.
    */
   blockAround(segment: number): [number, number] {
@@ -240,7 +240,7 @@ export class RunSection {
   }
 
   /**
-   * Returns segments of a line in a lean section, in order: the start of each row, or one segment of a row.
+   * Returns segments of a line in a lean stretch, in order: the start of each row, or one segment of a row.
    */
   *segmentsOf({ file, line }: Line): Generator<number> {
     const { lines } = this;

@@ -51,9 +51,9 @@ interface ActiveSegments extends SegmentRange {
  * then, and values from vertices have 32 bits.
  */
 export class Segments {
-  /** All sections, in the order of time. */
+  /** All stretches, in the order of time. */
   readonly sections: RunSection[] = [];
-  /** Chunks of the permanently loaded sections, which come first. */
+  /** Chunks of the permanently loaded stretches, which come first. */
   readonly chunks: Chunk[] = [];
   count = 0;
 
@@ -68,7 +68,7 @@ export class Segments {
     const section = new RunSection(message.header.first as number, message, number, this.sections.at(-1));
     if (section.count === 0 && section.vertices === 0) return;
     this.sections.push(section);
-    if (section.permanentChunk) this.chunks.push(section.permanentChunk);
+    if (section.whole) this.chunks.push(section.whole);
     this.count = section.first + section.count;
   }
 
@@ -81,13 +81,13 @@ export class Segments {
     return this.sections.at(-1)?.end_s ?? 0;
   }
 
-  /** The section of a segment. */
+  /** The stretch of a segment. */
   sectionOf(index: number): RunSection {
     const { sections } = this;
     return sections[Math.max(lastIndex(sections.length, (i) => sections[i].first <= index), 0)];
   }
 
-  /** Returns the section active at a time; undefined: nothing moves. */
+  /** Returns the stretch active at a time; undefined: nothing moves. */
   sectionAt(t_s: number): RunSection | undefined {
     const { sections } = this;
     if (this.count === 0) return undefined;
@@ -95,7 +95,7 @@ export class Segments {
   }
 
   private chunk(section: RunSection): Chunk | null {
-    return section.permanentChunk ?? this.laws?.get(section) ?? null;
+    return section.whole ?? this.laws?.get(section) ?? null;
   }
 
   /** Returns the chunk of a segment, and its index there; null: not loaded. */
@@ -105,7 +105,7 @@ export class Segments {
     return chunk && [chunk, index - section.first];
   }
 
-  /** Returns the section active at a time if it is not loaded. */
+  /** Returns the stretch active at a time if it is not loaded. */
   missingSection(t_s: number): RunSection | null {
     const section = this.sectionAt(t_s);
     return section && !this.chunk(section) ? section : null;
@@ -114,7 +114,7 @@ export class Segments {
   /** Fetches all data of a segment; returns true if it is then loaded. */
   async fetchNow(index: number): Promise<boolean> {
     const section = this.sectionOf(index);
-    return section.permanentChunk !== null || ((await this.laws?.fetchNow(section)) ?? false);
+    return section.whole !== null || ((await this.laws?.fetchNow(section)) ?? false);
   }
 
   /**

@@ -75,7 +75,7 @@ export class Series {
   }
 
   /** Sets the values at a time, NaN if none; for a step those that are farthest from 0. */
-  sample(t_s: number, out: Float32Array): void {
+  put(t_s: number, out: Float32Array): void {
     const { width, count } = this;
     const index = this.indexAt(t_s);
     if (this.step_s > 0) return this.putFarthest(index, out);

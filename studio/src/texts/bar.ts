@@ -28,7 +28,7 @@ export const bar = {
     const listed = names.slice(0, 3).join(", ") + (names.length > 3 ? ` and ${names.length - 3} more` : "");
     return taken > 0 ? `Also opened: ${listed}` : `Not a program, machine, cell or machine data: ${listed}`;
   },
-  unread: (message: string) => `The files could not be read: ${message}`,
+  unread: (why: string) => `The files could not be read: ${why}`,
   opened: (names: string[]) => `opening ${names[0]}${names.length > 1 ? ` and ${names.length - 1} more` : ""}`,
   chosen: (what: string, value: string) => `${what.toLowerCase()} (${value || "none"})`,
   yes: "yes",

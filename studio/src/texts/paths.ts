@@ -69,7 +69,7 @@ export const paths = {
     ofTarget: (path: string, number: number, count: number) =>
       count > 1 ? `${path}, ${number} (${count} selected)` : `${path}, ${number}`,
     more: "More",
-    refused: (message: string) => `Not changed: ${message}.`,
+    refused: (why: string) => `Not changed: ${why}.`,
     noNumber: "This is not a number",
     inherited: (label: string, value: string) => `${label}, ${value} if empty`,
     name: "Name",
@@ -183,8 +183,8 @@ export const paths = {
     title: "Round trip",
     compare: "Compare with the run",
     running: "The program runs…",
-    figures: (program: string, runDeviation: string, pathDeviation: string) =>
-      `The tool path of ${program} is at most ${runDeviation} off the path file, the path file at most ${pathDeviation} off the tool path.`,
+    figures: (program: string, way: string, path: string) =>
+      `The tool path of ${program} is at most ${way} off the path file, the path file at most ${path} off the tool path.`,
     unfinished: (figures: string) => `${figures} The run did not reach its end.`,
     noWay: (program: string) => `${program} did not move, or the path has no motion.`,
     other: (program: string) => `${program} was not written from the current path.`,
@@ -262,7 +262,7 @@ export const paths = {
   },
   /** Errors of a path file. */
   errors: {
-    at: (line: number, column: number, message: string) => `Line ${line}, column ${column}: ${message}`,
+    at: (line: number, column: number, sentence: string) => `Line ${line}, column ${column}: ${sentence}`,
     ofFile: "the path file",
     ofPath: "a path",
     ofPoint: "a point",

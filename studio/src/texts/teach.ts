@@ -24,7 +24,7 @@ export const teach = {
   angles: "Roll, pitch, yaw",
   moveTcpAlong: (axis: string) => `TCP along ${axis} of the work`,
   turnAbout: (axis: string) => `Turn the tool about ${axis} of the work`,
-  unreachable: (message: string) => `The TCP cannot reach this position: ${message}`,
+  unreachable: (why: string) => `The TCP cannot reach this position: ${why}`,
   beyond: (letters: string) => `The TCP cannot reach this position: ${letters} would leave its range.`,
   runWasReplaced: "Another run is shown now: nothing has moved.",
   touching: (pairs: string) => `Contact: ${pairs}.`,

@@ -43,6 +43,6 @@ export const view = {
     enter: "Enter VR: stand in the cell",
     leave: "Leave VR",
     worn: "The headset shows the cell.",
-    refused: (message: string) => `The headset does not show the cell: ${message}`,
+    refused: (why: string) => `The headset does not show the cell: ${why}`,
   },
 } as const;

@@ -12,27 +12,27 @@ const words = texts.time;
 export function createClock(store: Store): HTMLElement {
   const seconds = element("output", { class: "seconds", title: words.seconds });
   const clock = element("span", { class: "clock", title: words.clock });
-  const totalTime = element("span", { class: "whole-time", title: words.whole });
-  const location = element("span", { class: "place" });
+  const whole = element("span", { class: "whole-time", title: words.whole });
+  const place = element("span", { class: "place" });
   const kind = element("span", { class: "kind" });
   const feed = element("span", { class: "feed", title: words.feedHint });
-  const root = element("div", { class: "clock-row" }, clock, totalTime, seconds, location, kind, feed);
+  const root = element("div", { class: "clock-row" }, clock, whole, seconds, place, kind, feed);
 
   store.watch(["time_s", "run", "comparisonRun", "robot", "units", "selection", "loadCount"], () => {
     const t_s = store.get("time_s");
     const robot = shownRobot(store);
     clock.textContent = clockText(t_s);
-    totalTime.textContent = `/ ${clockText(clockEnd_s(store))}`;
+    whole.textContent = `/ ${clockText(clockEnd_s(store))}`;
     seconds.textContent = `${t_s.toFixed(3)} s`;
     const index = robot ? robot.segments.at(t_s) : -1;
-    location.textContent = kind.textContent = feed.textContent = "";
+    place.textContent = kind.textContent = feed.textContent = "";
     kind.hidden = index < 0;
     if (!robot || index < 0) return;
     const info = robot.segments.info(index);
     const speed_mm_s = robot.segments.speed_at(t_s);
     const here = activeLine(store);
-    location.textContent = here ? texts.run.line(here.line) : "";
-    location.title = here?.file ?? "";
+    place.textContent = here ? texts.run.line(here.line) : "";
+    place.title = here?.file ?? "";
     kind.hidden = info === null;
     feed.title = info ? words.feedHint : words.notHere;
     if (!info || speed_mm_s === null) return void (feed.textContent = "…");
@@ -40,8 +40,8 @@ export function createClock(store: Store): HTMLElement {
     const speed = feedText(speed_mm_s, units);
     kind.textContent = texts.run.kinds[info.kind];
     kind.style.setProperty("--colour", kindColours[info.kind]);
-    const programmed = info.feed_per_min > 0 ? programmedFeedText(info.feed_per_min, info.length_mm, units) : "";
-    feed.textContent = info.kind === "dwell" ? "" : programmed ? words.feedOf(speed, programmed) : speed;
+    const asked = info.feed_per_min > 0 ? programmedFeedText(info.feed_per_min, info.length_mm, units) : "";
+    feed.textContent = info.kind === "dwell" ? "" : asked ? words.feedOf(speed, asked) : speed;
   });
   return root;
 }

@@ -7,7 +7,7 @@ import { texts } from "../texts";
 
 /** Returns "line 14: jet on", "line 12: Collision: nozzle – clamp" */
 export function fullMarkText(mark: Mark, units: Units): string {
-  const text = markText(mark, units);
-  const what = mark.kind === "event" ? text : `${texts.time.marks[mark.kind]}: ${text}`;
+  const said = markText(mark, units);
+  const what = mark.kind === "event" ? said : `${texts.time.marks[mark.kind]}: ${said}`;
   return mark.line === null ? what : `${texts.run.line(mark.line)}: ${what}`;
 }

@@ -4,7 +4,7 @@ import { Flag } from "../run/kinds";
 import { lastIndex } from "../run/search";
 import type { Segments } from "../run/segments";
 
-/** Returns consecutive time intervals, as start and end in turn (s). */
+/** Returns consecutive stretches of time, as start and end in turn (s). */
 export function processEdges_s(segments: Segments): Float64Array {
   const edges: number[] = [];
   let on = false;

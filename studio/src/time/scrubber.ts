@@ -1,5 +1,5 @@
-// Scrubber: a slider over the shown time interval, with marks and bands; below it the position of that
-// interval in the run.
+// Scrubber: a slider over the shown stretch of time, with marks and bands; below it the position of that
+// stretch in the run.
 
 import { element } from "../core/dom";
 import { goTo } from "../core/navigation";
@@ -27,19 +27,19 @@ export interface Scrubber {
 export function createScrubber(store: Store, window: TimeWindow): Scrubber {
   const canvas = element("canvas", { "aria-hidden": "true" });
   const now = element("div", { class: "now" });
-  const tooltip = element("div", { class: "tip", role: "tooltip" });
-  tooltip.hidden = true;
+  const tip = element("div", { class: "tip", role: "tooltip" });
+  tip.hidden = true;
   const slider = { class: "track", role: "slider", tabindex: 0, "aria-label": words.scrubber };
   const track = element("div", slider, canvas, now);
   const thumb = element("div", { class: "thumb" });
   const overview = element("div", { class: "overview", title: words.overview }, thumb);
-  const root = element("div", { class: "scrubber" }, track, overview, tooltip);
+  const root = element("div", { class: "scrubber" }, track, overview, tip);
   let content: Content | null = null;
   let frame = 0;
 
   const timeOf = (x: number) => window.start_s + (x / Math.max(track.clientWidth, 1)) * window.span_s;
   const pointerX = (event: MouseEvent) => event.clientX - track.getBoundingClientRect().left;
-  const setTime = (t_s: number) => store.set("time_s", Math.min(Math.max(t_s, 0), window.total_s));
+  const put = (t_s: number) => store.set("time_s", Math.min(Math.max(t_s, 0), window.total_s));
 
   function draw(): void {
     drawStrip(canvas, window, content);
@@ -71,15 +71,15 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
     return content.marks.filter((mark) => distance(mark) <= SNAP_DISTANCE_PX).sort((a, b) => distance(a) - distance(b));
   }
 
-  function showTooltip(x: number): void {
+  function tell(x: number): void {
     const marks = near(x);
     const textOf = (mark: Mark) => `${timeText(mark.t_s)}  ${fullMarkText(mark, store.get("units"))}`;
     const lines = marks.slice(0, MAX_TOOLTIP_MARKS).map(textOf);
     if (marks.length > MAX_TOOLTIP_MARKS) lines.push(words.more(marks.length - MAX_TOOLTIP_MARKS));
-    tooltip.textContent = [...lines, ...(lines.length === 0 ? [timeText(timeOf(x))] : [])].join("\n");
-    tooltip.hidden = !content;
-    const left = Math.min(Math.max(track.offsetLeft + x - tooltip.offsetWidth / 2, 0), root.clientWidth - tooltip.offsetWidth);
-    tooltip.style.left = `${left}px`;
+    tip.textContent = [...lines, ...(lines.length === 0 ? [timeText(timeOf(x))] : [])].join("\n");
+    tip.hidden = !content;
+    const left = Math.min(Math.max(track.offsetLeft + x - tip.offsetWidth / 2, 0), root.clientWidth - tip.offsetWidth);
+    tip.style.left = `${left}px`;
   }
 
   listenToDrag(track, {
@@ -87,12 +87,12 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
       store.set("playing", false);
       const [mark] = near(pointerX(event));
       if (mark) goTo(store, mark, mark.t_s);
-      else if (!event.shiftKey) setTime(timeOf(pointerX(event)));
+      else if (!event.shiftKey) put(timeOf(pointerX(event)));
     },
     move: (event, by_px) => {
-      if (event.shiftKey) setTime(store.get("time_s") + ((FINE_FACTOR * by_px) / track.clientWidth) * window.span_s);
-      else setTime(timeOf(pointerX(event)));
-      showTooltip(pointerX(event));
+      if (event.shiftKey) put(store.get("time_s") + ((FINE_FACTOR * by_px) / track.clientWidth) * window.span_s);
+      else put(timeOf(pointerX(event)));
+      tell(pointerX(event));
     },
   });
   listenToDrag(overview, {
@@ -103,8 +103,8 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
     },
     move: (_, by_px) => window.pan((by_px / overview.clientWidth) * window.total_s),
   });
-  track.addEventListener("pointermove", (event) => showTooltip(pointerX(event)));
-  track.addEventListener("pointerleave", () => (tooltip.hidden = true));
+  track.addEventListener("pointermove", (event) => tell(pointerX(event)));
+  track.addEventListener("pointerleave", () => (tip.hidden = true));
   track.addEventListener("dblclick", () => window.reset());
   track.addEventListener("wheel", (event) => onWheel(event, timeOf(pointerX(event))), { passive: false });
   track.addEventListener("keydown", onKey);
@@ -113,7 +113,7 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
     event.preventDefault();
     if (event.ctrlKey) window.zoom(t_s, Math.exp(event.deltaY / 400));
     else if (event.shiftKey) window.pan((window.span_s * (event.deltaX + event.deltaY)) / 1000);
-    else setTime(store.get("time_s") + Math.sign(event.deltaY || event.deltaX) * WHEEL_STEP * window.span_s);
+    else put(store.get("time_s") + Math.sign(event.deltaY || event.deltaX) * WHEEL_STEP * window.span_s);
   }
 
   function onKey(event: KeyboardEvent): void {
@@ -121,12 +121,12 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
     const t_s = store.get("time_s");
     const step_s = window.span_s / (event.shiftKey ? 1000 : 100);
     const actions: Record<string, () => void> = {
-      ArrowLeft: () => setTime(t_s - step_s),
-      ArrowDown: () => setTime(t_s - step_s),
-      ArrowRight: () => setTime(t_s + step_s),
-      ArrowUp: () => setTime(t_s + step_s),
-      PageDown: () => setTime(t_s - 10 * step_s),
-      PageUp: () => setTime(t_s + 10 * step_s),
+      ArrowLeft: () => put(t_s - step_s),
+      ArrowDown: () => put(t_s - step_s),
+      ArrowRight: () => put(t_s + step_s),
+      ArrowUp: () => put(t_s + step_s),
+      PageDown: () => put(t_s - 10 * step_s),
+      PageUp: () => put(t_s + 10 * step_s),
       "+": () => window.zoom(t_s, 0.5),
       "=": () => window.zoom(t_s, 0.5),
       "-": () => window.zoom(t_s, 2),

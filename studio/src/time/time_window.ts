@@ -24,8 +24,8 @@ export class TimeWindow {
   begin(total_s: number): void {
     const same = total_s === this.total_s;
     this.total_s = total_s;
-    if (same) this.setRange(this.start_s, this.end_s);
-    else this.setRange(0, total_s);
+    if (same) this.put(this.start_s, this.end_s);
+    else this.put(0, total_s);
   }
 
   reset(): void {
@@ -36,7 +36,7 @@ export class TimeWindow {
   set(start_s: number, end_s: number): void {
     const span_s = Math.min(Math.max(end_s - start_s, Math.min(MIN_SPAN_S, this.total_s)), this.total_s);
     const from_s = Math.min(Math.max(start_s, 0), this.total_s - span_s);
-    if (from_s !== this.start_s || from_s + span_s !== this.end_s) this.setRange(from_s, from_s + span_s);
+    if (from_s !== this.start_s || from_s + span_s !== this.end_s) this.put(from_s, from_s + span_s);
   }
 
   /** Zooms; a factor below 1 shows less, and `about_s` keeps its position. */
@@ -56,14 +56,14 @@ export class TimeWindow {
     else if (t_s > this.end_s) this.pan(t_s - this.start_s - margin_s);
   }
 
-  private setRange(start_s: number, end_s: number): void {
+  private put(start_s: number, end_s: number): void {
     this.start_s = start_s;
     this.end_s = end_s;
     for (const listener of this.listeners) listener();
   }
 }
 
-/** Returns "round" instants in a time interval, about `count` of them. */
+/** Returns "round" instants in a stretch of time, about `count` of them. */
 export function ticks(start_s: number, end_s: number, count: number): { at_s: number[]; digits: number } {
   const minStep_s = (end_s - start_s) / Math.max(count, 1);
   if (!(minStep_s > 0)) return { at_s: [], digits: 0 };

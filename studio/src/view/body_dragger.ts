@@ -47,8 +47,8 @@ export class BodyDragger implements Draggable {
     const { runScene, store } = this.on;
     for (const { bodies } of runScene.machines) bodies.carry(-1, null);
     const machine = runScene.machines[store.get("robot")];
-    const framePose = displayed && machine?.at(store.get("time_s")).linkPoses.frames[displayed.frame];
-    if (displayed && framePose) machine.bodies.carry(displayed.frame, new Matrix4().fromArray(displayed.parent).multiply(this.pose).multiply(framePose.clone().invert()));
+    const place = displayed && machine?.at(store.get("time_s")).linkPoses.frames[displayed.frame];
+    if (displayed && place) machine.bodies.carry(displayed.frame, new Matrix4().fromArray(displayed.parent).multiply(this.pose).multiply(place.clone().invert()));
     this.on.changed();
   }
 

@@ -8,7 +8,7 @@ const FOV_DEG = 35;
 const HALF_FOV = (FOV_DEG / 2) * (Math.PI / 180);
 const RIGHT_ANGLE = Math.PI / 2;
 
-const standardDirections: Record<StandardView, [azimuth: number, elevation: number]> = {
+const stands: Record<StandardView, [azimuth: number, elevation: number]> = {
   top: [-RIGHT_ANGLE, RIGHT_ANGLE],
   front: [-RIGHT_ANGLE, 0],
   side: [0, 0],
@@ -21,8 +21,8 @@ const FARTHEST_MM = 1e6;
 export class CameraRig {
   readonly target = new Vector3();
   perspective = true;
-  private azimuth = standardDirections.iso[0];
-  private elevation = standardDirections.iso[1];
+  private azimuth = stands.iso[0];
+  private elevation = stands.iso[1];
   private distance_mm = 1000;
   private width_px = 1;
   private height_px = 1;
@@ -49,9 +49,9 @@ export class CameraRig {
   }
 
   /** Returns the size of a pixel at a position, mm. */
-  mmPerPixelAt(position: Vector3): number {
+  mmPerPixelAt(place: Vector3): number {
     if (!this.perspective) return this.mmPerPixel;
-    const depth = this.distance_mm - position.clone().sub(this.target).dot(this.basis().back);
+    const depth = this.distance_mm - place.clone().sub(this.target).dot(this.basis().back);
     return (2 * Math.max(depth, 1e-3) * Math.tan(HALF_FOV)) / this.height_px;
   }
 
@@ -116,7 +116,7 @@ export class CameraRig {
   }
 
   setStandardView(name: StandardView): void {
-    [this.azimuth, this.elevation] = standardDirections[name];
+    [this.azimuth, this.elevation] = stands[name];
   }
 
   /** Targets the middle of a box, so that it just fits on the screen. */
@@ -141,8 +141,8 @@ export class CameraRig {
   }
 
   /** Returns pixels from the left and from above; null: not in front of the camera. */
-  project(position: Vector3): { x: number; y: number } | null {
-    const at = position.clone().applyMatrix4(this.camera.matrixWorldInverse);
+  project(place: Vector3): { x: number; y: number } | null {
+    const at = place.clone().applyMatrix4(this.camera.matrixWorldInverse);
     if (this.perspective && at.z > -this.near.near) return null;
     at.applyMatrix4(this.camera.projectionMatrix);
     return { x: ((at.x + 1) / 2) * this.width_px, y: ((1 - at.y) / 2) * this.height_px };

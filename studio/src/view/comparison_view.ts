@@ -107,14 +107,14 @@ class ComparisonView {
   private readonly names = [0, 1].map((i) => element("div", { class: `side-name side-name-${i}` }));
   private joined: { stores: StoreSync; eyes: CameraSync } | null = null;
 
-  constructor(private readonly context: ComparisonViewContext) {
-    const { host, store } = context;
+  constructor(private readonly place: ComparisonViewContext) {
+    const { host, store } = place;
     host.append(this.half, ...this.names);
     store.watch(["comparisonRun"], () => this.show(store.get("comparisonRun")));
   }
 
   private show(comparisonRun: ComparisonRun | null): void {
-    const { host, view } = this.context;
+    const { host, view } = this.place;
     host.classList.toggle("split", comparisonRun !== null);
     this.names.forEach((each, i) => (each.textContent = comparisonRun?.names[i] ?? ""));
     if (!comparisonRun) return this.store.set("run", null);
@@ -129,7 +129,7 @@ class ComparisonView {
 
   /** Created on first use: a second picture takes more of the graphics card. */
   private make(): { stores: StoreSync; eyes: CameraSync } | null {
-    const { view, store, session, frames } = this.context;
+    const { view, store, session, frames } = this.place;
     const second = createView(this.half, this.store, session, frames, noViewParts);
     if (!second) return null;
     const areBothVisible = () => store.get("comparisonRun") !== null;
@@ -137,6 +137,6 @@ class ComparisonView {
   }
 }
 
-export const createComparisonView: CreateComparisonView = (context) => {
-  new ComparisonView(context);
+export const createComparisonView: CreateComparisonView = (place) => {
+  new ComparisonView(place);
 };

@@ -13,6 +13,6 @@ export interface ComparisonViewContext {
   frames: AnimationFrames;
 }
 
-export type CreateComparisonView = (context: ComparisonViewContext) => void;
+export type CreateComparisonView = (place: ComparisonViewContext) => void;
 
 export const noComparisonView: CreateComparisonView = () => undefined;

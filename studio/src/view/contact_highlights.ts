@@ -16,8 +16,8 @@ function contactPoints(run: Run | null): Map<Collision | Clearance, Vector3> {
   const points = new Map<Collision | Clearance, Vector3>();
   run?.report?.robots?.forEach((report, i) => {
     const base = matrixOf(run.robots[i].scene.base);
-    for (const contact of [...(report.collisions ?? []), ...(report.clearances ?? [])]) {
-      points.set(contact, new Vector3(...contact.point_mm).applyMatrix4(base));
+    for (const place of [...(report.collisions ?? []), ...(report.clearances ?? [])]) {
+      points.set(place, new Vector3(...place.point_mm).applyMatrix4(base));
     }
   });
   return points;
@@ -51,7 +51,7 @@ export class ContactHighlights {
   }
 
   private clearancesAtLines(lines: SourceLocation[]): Clearance[] {
-    return lines.flatMap((location) => this.near.get(lineKey(location)) ?? []);
+    return lines.flatMap((place) => this.near.get(lineKey(place)) ?? []);
   }
 
   private goTo(t_s: number): void {
@@ -65,8 +65,8 @@ export class ContactHighlights {
   /** Returns labels at the last collisions, and at near passes. */
   labels(lines: SourceLocation[]): Label[] {
     const met = this.collisions.slice(Math.max(0, this.passedContactCount - MAX_MARKS), this.passedContactCount);
-    const mark = (kind: string) => (contact: Collision | Clearance) => {
-      return { at: this.points.get(contact) ?? new Vector3(...contact.point_mm), text: "", kind };
+    const mark = (kind: string) => (place: Collision | Clearance) => {
+      return { at: this.points.get(place) ?? new Vector3(...place.point_mm), text: "", kind };
     };
     return [...this.clearancesAtLines(lines).map(mark("near")), ...met.map(mark("hit"))];
   }

@@ -4,4 +4,4 @@ import { BodyDragger } from "./body_dragger";
 import { PathEditor } from "./path_editing/path_editor";
 import type { CreateDraggables } from "./draggables";
 
-export const createHandleDraggables: CreateDraggables = (context) => [new PathEditor(context), new BodyDragger(context)];
+export const createHandleDraggables: CreateDraggables = (place) => [new PathEditor(place), new BodyDragger(place)];

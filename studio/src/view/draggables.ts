@@ -51,6 +51,6 @@ export interface DraggableContext {
 }
 
 /** Creates the holds; those in front are queried first. */
-export type CreateDraggables = (context: DraggableContext) => Draggable[];
+export type CreateDraggables = (place: DraggableContext) => Draggable[];
 
 export const noDraggables: CreateDraggables = () => [];

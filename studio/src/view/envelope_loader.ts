@@ -5,21 +5,21 @@ import type { Store } from "../core/store";
 import { texts } from "../texts";
 import type { View } from "./view";
 
-/** `showMessage` shows a message to the user; empty: clears it. */
-export function watchEnvelope(store: Store, session: Session, view: View, showMessage: (text: string) => void): void {
+/** `say` shows a message to the user; empty: clears it. */
+export function watchEnvelope(store: Store, session: Session, view: View, say: (text: string) => void): void {
   const { envelope } = view.runScene;
-  let lastRequestNumber = 0;
+  let asked = 0;
   const show = async (): Promise<void> => {
-    const requestNumber = ++lastRequestNumber;
+    const own = ++asked;
     envelope.group.visible = false;
     envelope.clear();
-    showMessage("");
+    say("");
     view.invalidate();
     if (!store.get("showEnvelope")) return;
     const bytes = await session.envelope();
     // The result is of an earlier machine, or not to be shown any more.
-    if (requestNumber !== lastRequestNumber) return;
-    showMessage(bytes ? "" : texts.view.noEnvelope);
+    if (own !== asked) return;
+    say(bytes ? "" : texts.view.noEnvelope);
     if (!bytes) return;
     envelope.setContent(bytes);
     envelope.group.visible = true;

@@ -35,7 +35,7 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
   let shifts = false;
   let activeGrab: ActiveGrab | null = null;
 
-  const pointerPosition = (event: MouseEvent) => {
+  const place = (event: MouseEvent) => {
     const { left, top, width, height } = element.getBoundingClientRect();
     const [x, y] = [event.clientX - left, event.clientY - top];
     return { x, y, fromMiddle: [x - width / 2, y - height / 2] as const };
@@ -51,7 +51,7 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
 
   element.addEventListener("pointerdown", (event) => {
     element.setPointerCapture(event.pointerId);
-    const { x, y } = pointerPosition(event);
+    const { x, y } = place(event);
     if (pointers.size === 0) {
       moved_px = 0;
       shifts = event.button !== 0 || event.shiftKey || event.ctrlKey;
@@ -61,7 +61,7 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
   });
 
   element.addEventListener("pointermove", (event) => {
-    const { x, y } = pointerPosition(event);
+    const { x, y } = place(event);
     const pointer = pointers.get(event.pointerId);
     if (!pointer) return on.hover(x, y);
     const [dx, dy] = [x - pointer.x, y - pointer.y];
@@ -87,7 +87,7 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
 
   const end = (event: PointerEvent) => {
     if (!pointers.delete(event.pointerId)) return;
-    const { x, y } = pointerPosition(event);
+    const { x, y } = place(event);
     const held = activeGrab;
     activeGrab = null;
     if (held && event.type === "pointerup" && moved_px >= MAX_CLICK_MOVE_PX) return held.drop();
@@ -103,7 +103,7 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
     (event) => {
       event.preventDefault();
       const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-      const [x, y] = pointerPosition(event).fromMiddle;
+      const [x, y] = place(event).fromMiddle;
       on.zoom(Math.exp(Math.min(Math.max(event.deltaY * lines, -300), 300) * 0.0012), x, y);
     },
     { passive: false },

@@ -11,6 +11,6 @@ export interface HeadsetContext {
   toolbar: HTMLElement;
 }
 
-export type CreateHeadset = (context: HeadsetContext) => Promise<void>;
+export type CreateHeadset = (place: HeadsetContext) => Promise<void>;
 
 export const noHeadset: CreateHeadset = async () => undefined;

@@ -33,7 +33,7 @@ export interface ViewHandle {
   orbit(dx_px: number, dy_px: number): void;
   /** Returns the time until a frame is drawn, ms. */
   measureFrame_ms(kind: "rest" | "orbit" | "empty"): number;
-  /** True if the complete path is in the stored picture. */
+  /** True if the complete path is in the kept picture. */
   complete(): boolean;
   /** Returns the position of a point of the work (mm, of the chosen robot) in the window, in pixels. */
   screenPosition(point_mm: [number, number, number]): [number, number];
@@ -68,7 +68,7 @@ export function createView(
   const pointerController = new PointerController(view, store, hint);
   const act = viewActions(view, store);
   surface.append(canvas.element, view.labels.element, pointerController.tooltip.element);
-  const toolbar = createToolbar(store, act, createLayers(store, view.layers, () => view.invalidate()));
+  const toolbar = createToolbar(store, act, createLayers(store, view.own, () => view.invalidate()));
   host.append(toolbar);
   host.append(view.legend.element, view.triad.element, hint);
   listenToGestures(surface, pointerController);

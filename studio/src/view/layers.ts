@@ -17,14 +17,14 @@ export interface ViewLayers {
 
 const words = texts.view;
 
-export function createLayers(store: Store, layers: ViewLayers, changed: () => void): HTMLElement {
+export function createLayers(store: Store, own: ViewLayers, changed: () => void): HTMLElement {
   const list = element("div", { class: "list", role: "group", "aria-label": words.show });
-  for (const name of Object.keys(layers) as (keyof ViewLayers)[]) {
+  for (const name of Object.keys(own) as (keyof ViewLayers)[]) {
     const { row, box } = check(words.layers[name], (on) => {
-      layers[name] = on;
+      own[name] = on;
       changed();
     });
-    box.checked = layers[name];
+    box.checked = own[name];
     list.append(row);
   }
   for (const key of ["showRapids", "showDirections", "showZones", "showEnvelope", "compare"] as LayerKey[]) {

@@ -11,10 +11,10 @@ const SNAP_PX = 8;
 const BISECTION_STEPS = 24;
 
 /** Returns the position along a part, 0 to 1. */
-export function segmentShare(a: Vector3, b: Vector3, point: Vector3): number {
-  const difference = b.clone().sub(a);
-  const square = difference.lengthSq();
-  return square > 0 ? Math.min(Math.max(point.clone().sub(a).dot(difference) / square, 0), 1) : 0;
+export function segmentShare(a: Vector3, b: Vector3, place: Vector3): number {
+  const way = b.clone().sub(a);
+  const square = way.lengthSq();
+  return square > 0 ? Math.min(Math.max(place.clone().sub(a).dot(way) / square, 0), 1) : 0;
 }
 
 /** Returns the part that ends at a vertex, and the position of a hit along it. */
@@ -104,8 +104,8 @@ export function positionAt(
   const body = firstBody(ray, runScene);
   if (body) return body.point.applyMatrix4(toFrame);
   const plane = new Plane(new Vector3(0, 0, 1), 0).applyMatrix4(frame);
-  const intersection = ray.ray.intersectPlane(plane, new Vector3());
-  return intersection && intersection.applyMatrix4(toFrame);
+  const place = ray.ray.intersectPlane(plane, new Vector3());
+  return place && place.applyMatrix4(toFrame);
 }
 
 /**

@@ -15,9 +15,9 @@ const HIT_DISTANCE_PX = 4;
 const HOVER_MS = 40;
 
 /** Returns the first result that is defined. */
-function firstResult<A>(holds: Draggable[], query: (hold: Draggable) => A): A | undefined {
+function firstResult<A>(holds: Draggable[], ask: (hold: Draggable) => A): A | undefined {
   for (const hold of holds) {
-    const result = query(hold);
+    const result = ask(hold);
     if (result) return result;
   }
   return undefined;
@@ -25,7 +25,7 @@ function firstResult<A>(holds: Draggable[], query: (hold: Draggable) => A): A | 
 
 export class PointerController implements Gestures {
   readonly tooltip = new Tooltip();
-  private readonly hovering = new Debounced(() => this.updateHover());
+  private readonly hovering = new Debounced(() => this.tell());
   private at = { x_px: 0, y_px: 0 };
   private measured = 0;
 
@@ -73,7 +73,7 @@ export class PointerController implements Gestures {
     this.hovering.after(HOVER_MS);
   }
 
-  private updateHover(): void {
+  private tell(): void {
     const { x_px, y_px } = this.at;
     const cursor = firstResult(this.view.draggables, (hold) => hold.hover(x_px, y_px)) ?? "";
     this.view.canvas.element.style.cursor = cursor;
@@ -122,22 +122,22 @@ export class PointerController implements Gestures {
     if (!frame) return;
     const hit = view.hit(x_px, y_px, HIT_DISTANCE_PX);
     const works = frame.instants.map(({ linkPoses }) => linkPoses.work);
-    const position = positionAt(x_px, y_px, view.canvas, hit, view.runScene, view.rig, works, frame.work);
-    if (!position) return;
-    view.runScene.measure.pick(position);
+    const place = positionAt(x_px, y_px, view.canvas, hit, view.runScene, view.rig, works, frame.work);
+    if (!place) return;
+    view.runScene.measure.pick(place);
     this.measured = (this.measured % 2) + 1;
-    this.updateHint();
+    this.say();
     view.invalidate();
   }
 
   private begin(): void {
     this.measured = 0;
     this.view.runScene.measure.clear();
-    this.updateHint();
+    this.say();
     this.view.invalidate();
   }
 
-  private updateHint(): void {
+  private say(): void {
     if (this.store.get("measuring")) {
       const done = this.view.runScene.measure.text(this.store.get("units"), texts.view.distance);
       this.hint.textContent = this.measured === 1 ? texts.view.measureSecond : done || texts.view.measureFirst;

@@ -113,14 +113,14 @@ export class RunScene {
   }
 
   /** Marks TCPs on their paths, while the joints are not loaded. */
-  markTcps({ instants }: Frame, mmPerPixelAt: (position: Vector3) => number): void {
-    this.approximateTcps.show(instants.flatMap(({ isApproximate, tip_mm }) => (isApproximate ? tip_mm : [])), mmPerPixelAt);
+  markTcps({ instants }: Frame, mmPerPixelAt: (place: Vector3) => number): void {
+    this.approximateTcps.put(instants.flatMap(({ isApproximate, tip_mm }) => (isApproximate ? tip_mm : [])), mmPerPixelAt);
   }
 
   /** Highlights bodies that have collided by now, or come near in the current lines. */
   light(t_s: number, lines: SourceLocation[]): void {
-    const roleOf = this.alarms.at(t_s, lines) ?? (() => undefined);
-    for (const machine of this.machines) machine.bodies.light(roleOf);
+    const look = this.alarms.at(t_s, lines) ?? (() => undefined);
+    for (const machine of this.machines) machine.bodies.light(look);
   }
 
   /** Moves the light with the camera. */

@@ -19,11 +19,11 @@ export function selectedRanges(run: Run, robot: number, data: PathData, state: P
   if (!selection) return [];
   const known = run.robots[robot];
   if (selection.block >= 0) {
-    const isSelectedRobot = robot === state.robot && known.blocks.first(selection.block) < known.segments.count;
-    return isSelectedRobot ? [blockRange(known, data, selection.block)] : [];
+    const own = robot === state.robot && known.blocks.first(selection.block) < known.segments.count;
+    return own ? [blockRange(known, data, selection.block)] : [];
   }
   const [file, line] = [run.fileOf(robot, selection.file), selection.line];
-  return sampleEvenly([known.blocks.blocksOfLine(file, line), known.blocks.blocksAfterTable({ file, line })]).map((block) =>
+  return sampleEvenly([known.blocks.blocksOfLine(file, line), known.blocks.behindTable({ file, line })]).map((block) =>
     blockRange(known, data, block),
   );
 }

@@ -25,15 +25,15 @@ function button(name: Icon, label: string, key: string, press: (event: Event) =>
   return element("button", attributes, icon(name));
 }
 
-function bindPressed(store: Store, key: Switch, button: HTMLElement): HTMLElement {
-  store.watch([key], () => button.setAttribute("aria-pressed", String(store.get(key))));
-  return button;
+function bindPressed(store: Store, key: Switch, made: HTMLElement): HTMLElement {
+  store.watch([key], () => made.setAttribute("aria-pressed", String(store.get(key))));
+  return made;
 }
 
 const toggle = (store: Store, key: Switch) => () => store.set(key, !store.get(key));
 
 export function createToolbar(store: Store, act: Actions, layers: HTMLElement): HTMLElement {
-  const standardViews: [StandardView, string][] = [
+  const stands: [StandardView, string][] = [
     ["top", "1"],
     ["front", "2"],
     ["side", "3"],
@@ -43,7 +43,7 @@ export function createToolbar(store: Store, act: Actions, layers: HTMLElement): 
     "div",
     { class: "tools", role: "toolbar", "aria-label": words.tools, "aria-orientation": "vertical" },
     button("fit", words.fit, "F", (event) => act.fit((event as MouseEvent).shiftKey)),
-    ...standardViews.map(([name, key]) => button(name, words.standardViews[name], key, () => act.setStandardView(name))),
+    ...stands.map(([name, key]) => button(name, words.standardViews[name], key, () => act.setStandardView(name))),
     bindPressed(store, "perspective", button("perspective", words.perspective, "P", toggle(store, "perspective"))),
     bindPressed(store, "follow", button("follow", words.follow, "T", toggle(store, "follow"))),
     bindPressed(store, "measuring", button("measure", words.measure, "M", toggle(store, "measuring"))),

@@ -32,13 +32,13 @@ export class View {
   readonly labels = new Labels();
   readonly triad = new Triad();
   readonly legend: Legend;
-  readonly layers: ViewLayers = { machine: true, cell: true, grid: true, extents: false };
+  readonly own: ViewLayers = { machine: true, cell: true, grid: true, extents: false };
   readonly draggables: Draggable[];
   layer: PathLayer;
   private colours = palette();
   private chosen: Range[][] = [];
   private frame: Frame | null = null;
-  private frameRequest = 0;
+  private asked = 0;
   /** True while a headset draws, and the page's picture is paused. */
   private isRendererLent = false;
   /** Called for each move of the camera. */
@@ -46,7 +46,7 @@ export class View {
   private readonly idleTimer = new Debounced(() => this.placeDirections());
   private tip: Vector3 | null = null;
   /** Run in progress that is partly shown. */
-  private growingRun: Run | null = null;
+  private taken: Run | null = null;
   /** Diagonal of the work at the last fit. */
   private fittedSize_mm = 0;
 
@@ -82,8 +82,8 @@ export class View {
 
   /** A frame is drawn soon. */
   invalidate(): void {
-    this.frameRequest ||= requestAnimationFrame(() => {
-      this.frameRequest = 0;
+    this.asked ||= requestAnimationFrame(() => {
+      this.asked = 0;
       this.draw();
     });
   }
@@ -139,8 +139,8 @@ export class View {
   private updateRun(): void {
     const { run } = this;
     const isGrowing = this.store.get("partialRun") !== null;
-    if (isGrowing && run === this.growingRun) return this.grow();
-    this.growingRun = isGrowing ? run : null;
+    if (isGrowing && run === this.taken) return this.grow();
+    this.taken = isGrowing ? run : null;
     const before = this.runScene.paths.length > 0;
     this.runScene.setContent(this.run, this.store.get("units"));
     this.tip = null;
@@ -198,11 +198,11 @@ export class View {
     const [from, to] = this.chosen[robot][0];
     if (to <= from) return;
     const work = this.frame.instants[robot]?.linkPoses.work ?? new Matrix4();
-    const position = this.runScene.paths[robot].point((from + to - 1) >> 1).applyMatrix4(work);
-    const viewed = this.rig.project(position);
+    const place = this.runScene.paths[robot].point((from + to - 1) >> 1).applyMatrix4(work);
+    const viewed = this.rig.project(place);
     const { width_px, height_px } = this.canvas;
     if (viewed && viewed.x > 0 && viewed.y > 0 && viewed.x < width_px && viewed.y < height_px) return;
-    this.rig.target.copy(position);
+    this.rig.target.copy(place);
     this.turned();
   }
 
@@ -246,7 +246,7 @@ export class View {
 
   /** Places everything for the shown instant. */
   private place(): Frame {
-    const t_s = this.growingRun ? 0 : this.store.get("time_s");
+    const t_s = this.taken ? 0 : this.store.get("time_s");
     const robot = this.store.get("robot");
     const jog = this.store.get("jog");
     const instants = this.runScene.machines.map((machine, i) => {
@@ -269,12 +269,12 @@ export class View {
   }
 
   private update(): Frame {
-    const { runScene, layers, store } = this;
+    const { runScene, own, store } = this;
     const frame = this.place();
     runScene.light(frame.t_s, this.activeLines(frame));
-    runScene.show(layers);
-    runScene.grid.group.visible = layers.grid;
-    runScene.extents.lines.visible = layers.extents;
+    runScene.show(own);
+    runScene.grid.group.visible = own.grid;
+    runScene.extents.lines.visible = own.extents;
     runScene.zones.group.visible = store.get("showZones");
     runScene.directions.group.visible = store.get("showDirections");
     this.followTool(frame);
@@ -291,13 +291,13 @@ export class View {
     this.tip = tip?.clone() ?? null;
   }
 
-  private appearance({ t_s, instants }: Frame): FrameAppearance {
+  private look({ t_s, instants }: Frame): FrameAppearance {
     const { camera } = this.rig;
     const viewed = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
     const theme = isDark() ? "dark" : "light";
     const end_s = this.run?.end_s ?? 0;
     // Before the start and after the end the path is shown undimmed, and also while joints are moved by hand.
-    const isUndimmed = this.growingRun !== null || this.store.get("jog") !== null || t_s >= end_s || (t_s <= 0 && !this.store.get("playing"));
+    const whole = this.taken !== null || this.store.get("jog") !== null || t_s >= end_s || (t_s <= 0 && !this.store.get("playing"));
     return {
       ...this.canvas.drawn,
       matrices: instants.map(({ linkPoses }) => viewed.clone().multiply(linkPoses.work)),
@@ -307,7 +307,7 @@ export class View {
       compare: this.store.get("compare"),
       compareColour: toRgb(this.colours.compare),
       now_s: instants.map(({ linkPoses, tip_mm }, i) =>
-        isUndimmed ? Infinity : lastDoneVertex(this.runScene.paths[i], t_s, tip_mm.clone().applyMatrix4(linkPoses.work.clone().invert())),
+        whole ? Infinity : lastDoneVertex(this.runScene.paths[i], t_s, tip_mm.clone().applyMatrix4(linkPoses.work.clone().invert())),
       ),
       dimmed: REMAINING_OPACITY[theme],
       lightened: WHITE_SHARE[theme],
@@ -316,7 +316,7 @@ export class View {
 
   /** Places everything for the shown instant, and returns the look of the paths. */
   arrange(): FrameAppearance {
-    return this.appearance(this.update());
+    return this.look(this.update());
   }
 
   private draw(): void {
@@ -325,32 +325,32 @@ export class View {
     const frame = this.update();
     this.rig.apply();
     this.runScene.follow(this.rig);
-    this.runScene.markTcps(frame, (position) => this.rig.mmPerPixelAt(position));
-    const appearance = this.appearance(frame);
-    const more = this.layer.prepare(appearance, performance.now());
+    this.runScene.markTcps(frame, (place) => this.rig.mmPerPixelAt(place));
+    const look = this.look(frame);
+    const more = this.layer.prepare(look, performance.now());
     renderer.resetState();
     renderer.setRenderTarget(null);
     renderer.clear();
     renderer.render(this.runScene.scene, this.rig.camera);
     // Dimmed parts show the background, so that is drawn first.
-    this.layer.compose(appearance);
-    this.drawHighlights(frame, appearance);
+    this.layer.compose(look);
+    this.drawHighlights(frame, look);
     for (const hold of this.draggables) hold.draw(renderer, frame.work);
     this.annotate(frame);
     if (more === "now") this.invalidate();
     else if (more === "at rest") setTimeout(() => this.invalidate(), IDLE_MS);
   }
 
-  private drawHighlights({ instants }: Frame, appearance: FrameAppearance): void {
+  private drawHighlights({ instants }: Frame, look: FrameAppearance): void {
     const { runScene, layer, colours } = this;
     instants.forEach(({ segment }, robot) => {
-      if (segment >= 0 && appearance.now_s[robot] !== Infinity) {
+      if (segment >= 0 && look.now_s[robot] !== Infinity) {
         const known = runScene.machines[robot].robot;
         const ranges = [blockRange(known, runScene.paths[robot], known.blocks.of(segment))];
-        layer.drawHighlight({ robot, ranges, colour: toRgb(colours.progressColour), width_px: 7, opacity: 0.2 }, appearance);
+        layer.drawHighlight({ robot, ranges, colour: toRgb(colours.progressColour), width_px: 7, opacity: 0.2 }, look);
       }
       const ranges = this.chosen[robot] ?? [];
-      layer.drawHighlight({ robot, ranges, colour: toRgb(colours.selected), width_px: 4, opacity: 1 }, appearance);
+      layer.drawHighlight({ robot, ranges, colour: toRgb(colours.selected), width_px: 4, opacity: 1 }, look);
     });
   }
 
@@ -374,7 +374,7 @@ export class View {
 
   /** Returns the path at a position, px from the left and from above. */
   hit(x_px: number, y_px: number, hitRadius_px: number): Hit | null {
-    if (this.growingRun) return null; // its instants and lines are not shown yet
+    if (this.taken) return null; // its instants and lines are not shown yet
     const { width_px, height_px, pixelRatio } = this.canvas;
     return this.layer.hit(x_px / width_px, 1 - y_px / height_px, Math.round(hitRadius_px * pixelRatio));
   }

@@ -37,7 +37,7 @@ const seriesAt = (page, kind, times_s) =>
       const names = series.channels.map(({ of, axis }) => `${of}${axis ?? ""}`);
       return all.map((t_s) => {
         const values = new Float32Array(series.width);
-        series.sample(t_s, values);
+        series.put(t_s, values);
         const isTold = Math.abs(series.time_s(series.indexAt(t_s + 1e-9)) - t_s) < 2e-9;
         return { isTold, ...Object.fromEntries(names.map((each, i) => [each, values[i]])) };
       });

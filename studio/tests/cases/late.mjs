@@ -234,11 +234,11 @@ export default {
         const changed = () => page.evaluate(() => window.studio.session.changedSince(window.ran));
         const becomes = (names) =>
           page.waitForFunction((expectedValue) => String(window.studio.session.changedSince(window.ran).sort()) === expectedValue, String(names), { timeout: 10_000 });
-        const has = (name) => page.evaluate((of) => window.studio.documents.userContent(of) !== undefined, name);
+        const has = (name) => page.evaluate((of) => window.studio.documents.own(of) !== undefined, name);
         assert.deepEqual([await has("one.toml"), await has("two.toml"), await changed()], [false, false, []]);
         served.write("two.toml", "a = 2\n");
         await page.evaluate(() => window.letGo());
-        await page.waitForFunction(() => ["one.toml", "two.toml"].every((name) => window.studio.documents.userContent(name)), null, { timeout: 10_000 });
+        await page.waitForFunction(() => ["one.toml", "two.toml"].every((name) => window.studio.documents.own(name)), null, { timeout: 10_000 });
         await becomes(["two.toml"]);
         served.write("one.toml", "a = 3\n");
         await becomes(["one.toml", "two.toml"]);

@@ -87,7 +87,7 @@ export default {
       assert.deepEqual((await paths(page))[0].targets[3], { fixed: "CLAMP1" });
       // Later entries of the data are offered, too.
       await choose(page, 0, 3);
-      await page.evaluate((text) => window.studio.documents.write("shop.txt", text), DATA.replace("7 350 60 -10", "8 350 60 -10 NAME=PARK"));
+      await page.evaluate((text) => window.studio.documents.put("shop.txt", text), DATA.replace("7 350 60 -10", "8 350 60 -10 NAME=PARK"));
       await field(page, "Point").locator("option", { hasText: "PARK (8)" }).waitFor({ state: "attached" });
     }),
 
@@ -154,7 +154,7 @@ export default {
         assert.match(await said(page), /Not changed: 'probe_offset' requires 'work_offset'/);
         assert.equal(await pathText(page), text);
         const recorded = PATH.replace('"paths"', '"work_offsets": {"54": {"X": 1}}, "paths"');
-        await page.evaluate((own) => window.studio.documents.write("job.path.json", own), recorded);
+        await page.evaluate((own) => window.studio.documents.put("job.path.json", own), recorded);
         await choose(page, 0, -1);
         assert.equal(await field(page, "Tool").count(), 0);
         assert.match(await form(page).locator(".form .note:visible").textContent(), /recorded from a run/);

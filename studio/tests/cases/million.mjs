@@ -40,7 +40,7 @@ export default {
           y = Math.min(2400, Math.max(10, y + 4 * next() - 2));
           lines.push(`X${x.toFixed(3)} Y${y.toFixed(3)}\n`);
         }
-        documents.write("million.nc", lines.join(""));
+        documents.put("million.nc", lines.join(""));
         session.change({ program: "million.nc", machine: "samples/machines/af5.toml" });
         const began = performance.now();
         await session.run();

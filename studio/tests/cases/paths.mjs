@@ -286,7 +286,7 @@ export default {
         {"position_mm": [400, 400, 50]},
         {"position_mm": [300, 300, 50], "actions": ["waterjet_off"]}
       ]}]}`;
-      await page.evaluate((own) => window.studio.documents.write("cut.path.json", own), text);
+      await page.evaluate((own) => window.studio.documents.put("cut.path.json", own), text);
       await openPath(page, "cut.path.json");
       await choose(page, 0, -1);
       await page.locator("#side .leads > summary").click();
@@ -316,7 +316,7 @@ export default {
       assert.match(await page.locator("#side .write .notes").textContent(), /sound_horn/);
       assert.match(await page.evaluate(() => window.studio.documents.text("wheel.nc")), /sound_horn/);
       // The sample of that name lies in another folder, and is as it was.
-      assert.equal(await page.evaluate(() => window.studio.documents.userContent("samples/wheel.nc")), undefined);
+      assert.equal(await page.evaluate(() => window.studio.documents.own("samples/wheel.nc")), undefined);
       await choose(page, 1, 1);
       await put(page, "Position X", 501);
       assert.match(await page.locator("#side .round-trip").textContent(), /The path has changed since wheel\.nc was written/);
@@ -326,7 +326,7 @@ export default {
     withPage(places.studio, async (page) => {
       await page.evaluate(() => {
         const { documents } = window.studio;
-        documents.write("posts/mine.toml", documents.text("samples/posts/rs274ngc.toml").replace(/name = "rs274ngc"/, 'name = "mine"'));
+        documents.put("posts/mine.toml", documents.text("samples/posts/rs274ngc.toml").replace(/name = "rs274ngc"/, 'name = "mine"'));
       });
       await openPath(page, WHEEL);
       await form(page).locator(".write details > summary").click();

@@ -178,7 +178,7 @@ export default {
       });
       const side = page.locator("#side");
       const saves = async (name, form) => {
-        await page.evaluate((of) => window.studio.documents.write(of, `${window.studio.documents.text(of)}\n`), name);
+        await page.evaluate((of) => window.studio.documents.put(of, `${window.studio.documents.text(of)}\n`), name);
         await hasMark(page, name, "unsaved");
         await form.getByRole("button", { name: "Save", exact: true }).click();
         await noticed(page, `Saved: ${name}`);
@@ -218,7 +218,7 @@ export default {
   "a file is not saved under the name of another one that is unsaved": (places) =>
     withServed(places, { "part.nc": PART }, async (page, served) => {
       await page.evaluate(() => {
-        window.studio.documents.write("mine.nc", "G21\nM2\n");
+        window.studio.documents.put("mine.nc", "G21\nM2\n");
         window.studio.session.change({ program: "samples/wheel.nc" });
       });
       await typeAfter(page, /^N210 /, "1");

@@ -88,9 +88,9 @@ export default {
     withServed(places, files, async (page, served) => {
       await page.evaluate(() => {
         const { documents } = window.studio;
-        documents.write("part.nc", documents.text("part.nc").replace("X20", "X25"));
-        documents.write("new/made.toml", "a = 1\n");
-        documents.write("samples/wheel.nc", "G21\nM2\n");
+        documents.put("part.nc", documents.text("part.nc").replace("X20", "X25"));
+        documents.put("new/made.toml", "a = 1\n");
+        documents.put("samples/wheel.nc", "G21\nM2\n");
       });
       await page.locator("#save-all-button").click();
       const dialog = page.locator("dialog");
@@ -135,7 +135,7 @@ export default {
         tab.waitForFunction((words) => window.studio.documents.text("part.nc")?.includes(words), text, { timeout: 30_000, polling: 200 });
       const saved = await tabs.at(-1).evaluate(() => {
         const { documents, folder } = window.studio;
-        documents.write("part.nc", documents.text("part.nc").replace("X20", "X25"));
+        documents.put("part.nc", documents.text("part.nc").replace("X20", "X25"));
         return folder.save("part.nc");
       });
       assert.deepEqual(saved, { kind: "saved" });

@@ -180,11 +180,11 @@ export default {
       await machine(page).focus();
       await runAnew(page, () => machine(page).selectOption(LARGE));
       assert.equal(await focused(page), "Machine");
-      await page.evaluate(() => window.studio.documents.write("new.nc", "G0 X1\nM2\n"));
+      await page.evaluate(() => window.studio.documents.put("new.nc", "G0 X1\nM2\n"));
       assert.equal(await focused(page), "Machine");
       assert.equal(await page.locator('option[value="new.nc"]').count(), 1);
       await page.evaluate((text) => {
-        window.studio.documents.write("endless.lua", text);
+        window.studio.documents.put("endless.lua", text);
         window.studio.session.change({ program: "endless.lua" });
       }, ENDLESS);
       await page.locator("#run-button").focus();

@@ -217,8 +217,8 @@ export default {
     withPage(places.studio, async (page) => {
       await page.evaluate((endless) => {
         const { documents } = window.studio;
-        documents.write("broken.nc", "G21\nG1 X10 F100\nG1 X1O\nM2\n");
-        documents.write("endless.lua", endless);
+        documents.put("broken.nc", "G21\nG1 X10 F100\nG1 X1O\nM2\n");
+        documents.put("endless.lua", endless);
       }, ENDLESS);
       await tab(page, "Variants");
       await button(page, "Store the current setup").click();
@@ -315,7 +315,7 @@ export default {
           assert.equal((await rows(page)).length, 3);
           // A file that cannot be read is said so, and left as it is.
           await page.evaluate(() => {
-            window.studio.documents.write("bad.variants.json", '{"variants": [{"name": "a", "mchine": ""}]}');
+            window.studio.documents.put("bad.variants.json", '{"variants": [{"name": "a", "mchine": ""}]}');
             window.studio.store.set("variantsFile", "bad.variants.json");
           });
           await form(page).locator(".fault").filter({ hasText: "bad.variants.json cannot be read: variant 1: unknown key 'mchine'." }).waitFor();
@@ -392,10 +392,10 @@ export default {
       assert.ok(lines.every((text) => !/pass 1 of/.test(text)), `${lines}`);
 
       // Lines of a changed text have moved.
-      await page.evaluate((text) => window.studio.documents.write("loop.nc", `(one more)\n${text}`), LOOP);
+      await page.evaluate((text) => window.studio.documents.put("loop.nc", `(one more)\n${text}`), LOOP);
       await here.getByRole("button", { name: "Make a variant from here" }).click();
       assert.equal(await state(page, "notice"), "The displayed run is of an earlier loop.nc: run it first");
-      await page.evaluate((text) => window.studio.documents.write("loop.nc", text), LOOP);
+      await page.evaluate((text) => window.studio.documents.put("loop.nc", text), LOOP);
 
       // A line without motion is reported as such.
       await page.locator("#code .cm-line").filter({ hasText: /^M99$/ }).first().click();

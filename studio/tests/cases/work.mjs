@@ -63,7 +63,7 @@ export default {
     withPage(places.studio, async (page) => {
       await page.evaluate((text) => {
         const { session, documents } = window.studio;
-        documents.write("endless.lua", text);
+        documents.put("endless.lua", text);
         session.change({ program: "endless.lua" });
         void session.run();
       }, ENDLESS);
@@ -87,7 +87,7 @@ export default {
       await page.evaluate(async () => {
         const { session, documents } = window.studio;
         const name = "samples/wheel.nc";
-        documents.write(name, documents.text(name).replace("C0 F6350", "C0 F3000"));
+        documents.put(name, documents.text(name).replace("C0 F6350", "C0 F3000"));
         await session.run();
       });
       await page.getByRole("tab", { name: "Compare" }).click();
@@ -126,7 +126,7 @@ export default {
     withPage(places.studio, async (page) => {
       await page.evaluate((text) => {
         const { session, documents } = window.studio;
-        documents.write("endless.lua", text);
+        documents.put("endless.lua", text);
         session.change({ program: "endless.lua" });
         void session.run();
       }, ENDLESS);
@@ -163,7 +163,7 @@ export default {
         const { session, documents, store } = window.studio;
         const began = performance.now();
         const name = "samples/wheel.nc";
-        documents.write(name, documents.text(name).replace("C0 F6350", "C0 F5000"));
+        documents.put(name, documents.text(name).replace("C0 F6350", "C0 F5000"));
         await session.run();
         await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
         return store.get("run").report.status === "completed" ? performance.now() - began : Infinity;

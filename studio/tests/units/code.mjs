@@ -177,7 +177,7 @@ export default {
     const own = new EditedTranslations(documents);
     const mark = "-- from a.nc; line n there is line n+1 here; hash 12ab";
     assert.deepEqual(own.make("a.nc", mark), { name: "a-2.lua", script: "-- from a.nc" });
-    documents.write("a-2.lua", "-- from a.nc");
+    documents.put("a-2.lua", "-- from a.nc");
     assert.equal(own.make("a.nc", mark).name, "a-2.lua", "the same text again");
     assert.equal(own.make("a.nc", `${mark}\nG1{}`).name, "a-3.lua");
     assert.deepEqual([own.sourceProgram("a-3.lua"), own.sourceProgram("a.lua")], ["a.nc", undefined]);

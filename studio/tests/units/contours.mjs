@@ -128,6 +128,6 @@ export default {
       ["b", false, [6, 7, 8, 9, 10, 11, 12, 13, 14]],
     ]);
     const refusing = { sendRequest: () => Promise.resolve({ ok: false, code: "input", message: "not read here", messages: [] }) };
-    assert.deepEqual(await readContours(refusing, {}), { error: "not read here" });
+    assert.deepEqual(await readContours(refusing, {}), { refused: "not read here" });
   },
 };

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 
 export const modules = ["core/encoding", "core/documents"];
 
-const open = (documents, name, bytes) => documents.write(name, documents.read(name, bytes));
+const open = (documents, name, bytes) => documents.put(name, documents.read(name, bytes));
 const bytesOf = (text, encoding = "latin1") => new Uint8Array(Buffer.from(text, encoding));
 
 export default {
@@ -15,7 +15,7 @@ export default {
     assert.equal(documents.text("part.nc"), "(Fräser Ø 10 mm)\r\nG0 X1\r\n");
     assert.deepEqual(documents.save("part.nc"), bytes);
     assert.equal(documents.unsaved, false);
-    documents.write("part.nc", "(Fräser Ø 10 mm)\nG0 X2\n"); // as an editor has lines
+    documents.put("part.nc", "(Fräser Ø 10 mm)\nG0 X2\n"); // as an editor has lines
     assert.equal(documents.unsaved, true);
     assert.deepEqual(documents.save("part.nc"), bytesOf("(Fr\xe4ser \xd8 10 mm)\r\nG0 X2\r\n"));
     assert.equal(documents.unsaved, false);
@@ -25,15 +25,15 @@ export default {
     const documents = new Documents(new Map([["sample.nc", "G0\r\n"], ["mesh.stl", bytesOf("\0")]]));
     const told = [];
     documents.on((name) => told.push(name));
-    documents.write("sample.nc", "G0\n");
-    documents.write("empty.nc", "");
+    documents.put("sample.nc", "G0\n");
+    documents.put("empty.nc", "");
     assert.equal(documents.unsaved, false);
-    documents.write("new.txt", "NCFILE\nENDFILE\n");
-    documents.write("mesh.stl", "solid");
+    documents.put("new.txt", "NCFILE\nENDFILE\n");
+    documents.put("mesh.stl", "solid");
     assert.deepEqual(documents.userFileNames().map((name) => documents.isUnsaved(name)), [false, false, true, true]);
     assert.deepEqual(documents.save("new.txt"), bytesOf("NCFILE\nENDFILE\n"));
     assert.equal(documents.isUnsaved("new.txt"), false);
-    documents.write("new.txt", "NCFILE\n");
+    documents.put("new.txt", "NCFILE\n");
     assert.equal(documents.isUnsaved("new.txt"), true);
     assert.deepEqual(told, ["sample.nc", "empty.nc", "new.txt", "mesh.stl", "new.txt", "new.txt"]);
   },

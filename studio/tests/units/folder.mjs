@@ -88,8 +88,8 @@ async function opened({ Folder, History, Documents, Store, initialState }, disk,
     type(name, text);
   });
   const type = (name, text) => {
-    const before = { documents: { [name]: documents.userContent(name) ?? null } };
-    documents.write(name, text);
+    const before = { documents: { [name]: documents.own(name) ?? null } };
+    documents.put(name, text);
     history.recordChange(`typing in ${name}`, before);
   };
   const folder = new Folder(server, session);
@@ -276,16 +276,16 @@ export default {
 
   "a file is not saved under the name of another one that is unsaved": async (page) => {
     const { server, documents, folder } = await opened(page, { "a.nc": "1" });
-    documents.write("samples/wheel.nc", "G20\n");
-    documents.write("mine.nc", "typed");
+    documents.put("samples/wheel.nc", "G20\n");
+    documents.put("mine.nc", "typed");
     const saved = await folder.saveAs("samples/wheel.nc", "mine.nc");
-    assert.deepEqual([saved.kind, saved.message], ["failed", page.texts.folder.exists]);
+    assert.deepEqual([saved.kind, saved.why], ["failed", page.texts.folder.exists]);
     assert.deepEqual([documents.text("mine.nc"), server.writes], ["typed", []]);
   },
 
   "what is typed while a file is saved under another name is there, unsaved": async (page) => {
     const { server, documents, folder, editor, session, history } = await opened(page, {}, { program: "samples/wheel.nc" });
-    documents.write("samples/wheel.nc", "G21\nG1\n");
+    documents.put("samples/wheel.nc", "G21\nG1\n");
     const open = gate(server, "write");
     const saved = folder.saveAs("samples/wheel.nc", "mine.nc");
     await untilSettled();
@@ -301,7 +301,7 @@ export default {
 
   "who chose another program while a file was saved under another name keeps it": async (page) => {
     const { server, documents, folder, session } = await opened(page, { "a.nc": "1" }, { program: "samples/wheel.nc" });
-    documents.write("samples/wheel.nc", "G21\nG1\n");
+    documents.put("samples/wheel.nc", "G21\nG1\n");
     const open = gate(server, "write");
     const saved = folder.saveAs("samples/wheel.nc", "mine.nc");
     await untilSettled();

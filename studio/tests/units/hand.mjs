@@ -174,15 +174,15 @@ export default {
     assert.equal(choice.range, null);
     choice.choose({ path: 1, target: 4 });
     choice.choose({ path: 1, target: 2 }, true);
-    assert.deepEqual(choice.range, { targetId: { path: 1, target: 2 }, count: 3 });
+    assert.deepEqual(choice.range, { place: { path: 1, target: 2 }, count: 3 });
     assert.deepEqual([choice.has({ path: 1, target: 3 }), choice.has({ path: 0, target: 3 })], [true, false]);
     choice.choose({ path: 1, target: 6 }, true);
-    assert.deepEqual(choice.range, { targetId: { path: 1, target: 4 }, count: 3 });
+    assert.deepEqual(choice.range, { place: { path: 1, target: 4 }, count: 3 });
     // By another part of the page.
     store.set("pathPoint", { path: 1, target: 5 });
-    assert.deepEqual(choice.range, { targetId: { path: 1, target: 5 }, count: 1 });
+    assert.deepEqual(choice.range, { place: { path: 1, target: 5 }, count: 1 });
     choice.choose({ path: 2, target: 0 }, true);
-    assert.deepEqual(choice.range, { targetId: { path: 2, target: 0 }, count: 1 }, "of one path");
+    assert.deepEqual(choice.range, { place: { path: 2, target: 0 }, count: 1 }, "of one path");
   },
 
   "the tree has what is open, and opens what hides a point": ({ toDisplayedPath, visibleRows, reveal, TreeState }) => {

@@ -13,8 +13,8 @@ function made({ History, Documents }, samples = {}, mostCharacters = undefined) 
   history.on((applied) => told.push(applied));
   /** As an editor does. */
   const type = (name, text, merge = "type") => {
-    const before = { documents: { [name]: documents.userContent(name) ?? null } };
-    documents.write(name, text);
+    const before = { documents: { [name]: documents.own(name) ?? null } };
+    documents.put(name, text);
     history.recordChange(`typing in ${name}`, before, merge);
   };
   return { documents, session, history, told, type };
@@ -36,13 +36,13 @@ export default {
     const { documents, session, history, told } = made(page, { "m.toml": "sample" });
     const change = { documents: { "data.txt": "1", "m.toml": "own" }, setup: { machine: "m.toml" } };
     history.edit("both", change);
-    assert.deepEqual([documents.userContent("data.txt"), documents.userContent("m.toml"), session.setup.machine], ["1", "own", "m.toml"]);
+    assert.deepEqual([documents.own("data.txt"), documents.own("m.toml"), session.setup.machine], ["1", "own", "m.toml"]);
     assert.deepEqual([history.undoLabel, history.redoLabel], ["both", ""]);
     history.undo();
     assert.deepEqual([documents.get("data.txt"), documents.get("m.toml"), session.setup.machine], [undefined, "sample", ""]);
     assert.deepEqual([history.undoLabel, history.redoLabel], ["", "both"]);
     history.redo();
-    assert.deepEqual([documents.userContent("data.txt"), documents.userContent("m.toml"), session.setup], ["1", "own", { program: "a.nc", machine: "m.toml" }]);
+    assert.deepEqual([documents.own("data.txt"), documents.own("m.toml"), session.setup], ["1", "own", { program: "a.nc", machine: "m.toml" }]);
     assert.deepEqual(told, [change, { documents: { "data.txt": null, "m.toml": null }, setup: { machine: "" } }, change]);
   },
 
@@ -52,7 +52,7 @@ export default {
     history.edit("taken away", { documents: { "a.txt": null } });
     assert.equal(documents.get("a.txt"), undefined);
     history.undo();
-    assert.equal(documents.userContent("a.txt"), "1");
+    assert.equal(documents.own("a.txt"), "1");
   },
 
   "steps go back one by one, and a new one ends what could be done again": (page) => {
@@ -60,14 +60,14 @@ export default {
     for (const text of ["1", "2", "3"]) history.edit(text, { documents: { "a.txt": text } });
     history.undo();
     history.undo();
-    assert.equal(documents.userContent("a.txt"), "1");
+    assert.equal(documents.own("a.txt"), "1");
     history.edit("4", { documents: { "a.txt": "4" } });
     assert.equal(history.redoLabel, "");
     history.redo();
-    assert.equal(documents.userContent("a.txt"), "4");
+    assert.equal(documents.own("a.txt"), "4");
     history.undo();
     history.undo();
-    assert.equal(documents.userContent("a.txt"), undefined);
+    assert.equal(documents.own("a.txt"), undefined);
     history.undo();
     assert.equal(history.undoLabel, "");
   },
@@ -75,7 +75,7 @@ export default {
   "what changes nothing is no step, and nobody is told": (page) => {
     const { history, told, documents } = made(page);
     history.edit("none", { documents: {}, setup: { machine: "" } });
-    documents.write("a.txt", "1");
+    documents.put("a.txt", "1");
     history.edit("none", { documents: { "a.txt": "1" } });
     history.recordChange("none", { documents: { "a.txt": "1" } });
     assert.deepEqual([history.undoLabel, told], ["", []]);
@@ -104,7 +104,7 @@ export default {
       type("b.nc", "3", "");
       type("b.nc", "4", "");
     });
-    const back = () => (history.undo(), [documents.userContent("a.nc"), documents.userContent("b.nc")]);
+    const back = () => (history.undo(), [documents.own("a.nc"), documents.own("b.nc")]);
     assert.deepEqual([back(), back(), back(), back()], [["", "3"], ["", "2"], ["", undefined], ["1", undefined]]);
   },
 
@@ -118,7 +118,7 @@ export default {
     history.undo();
     assert.deepEqual([documents.userFileNames(), session.setup.machine, history.undoLabel], [[], "", ""]);
     history.redo();
-    assert.deepEqual([documents.userContent("a.txt"), documents.userContent("b.txt"), session.setup.machine], ["2", "1", "n"]);
+    assert.deepEqual([documents.own("a.txt"), documents.own("b.txt"), session.setup.machine], ["2", "1", "n"]);
   },
 
   "what was done again is not typed on": (page) => {
@@ -130,7 +130,7 @@ export default {
       type("a.nc", "12");
     });
     history.undo();
-    assert.equal(documents.userContent("a.nc"), "1");
+    assert.equal(documents.own("a.nc"), "1");
   },
 
   "an editor's own undo is a step, too: what it took away comes back": (page) => {
@@ -151,12 +151,12 @@ export default {
   "what was changed without a step comes back with redo": (page) => {
     const { documents, session, history } = made(page);
     history.edit("one", { documents: { "a.txt": "1" }, setup: { machine: "m" } });
-    documents.write("a.txt", "from elsewhere");
+    documents.put("a.txt", "from elsewhere");
     session.change({ machine: "n" });
     history.undo();
-    assert.deepEqual([documents.userContent("a.txt"), session.setup.machine], [undefined, ""]);
+    assert.deepEqual([documents.own("a.txt"), session.setup.machine], [undefined, ""]);
     history.redo();
-    assert.deepEqual([documents.userContent("a.txt"), session.setup.machine], ["from elsewhere", "n"]);
+    assert.deepEqual([documents.own("a.txt"), session.setup.machine], ["from elsewhere", "n"]);
   },
 
   "what is typed and not handed over is a step before anything is taken back": (page) => {
@@ -168,9 +168,9 @@ export default {
       waiting = "";
     });
     history.undo();
-    assert.equal(documents.userContent("a.nc"), "1");
+    assert.equal(documents.own("a.nc"), "1");
     history.redo();
-    assert.equal(documents.userContent("a.nc"), "12");
+    assert.equal(documents.own("a.nc"), "12");
   },
 
   "of texts that are too large together the oldest go, and the last stays": (page) => {
@@ -178,13 +178,13 @@ export default {
     for (const text of ["a", "b", "c", "d"]) history.edit(text, { documents: { "a.txt": text.repeat(10) } });
     history.undo();
     history.undo();
-    assert.deepEqual([documents.userContent("a.txt")[0], history.undoLabel], ["b", ""]);
+    assert.deepEqual([documents.own("a.txt")[0], history.undoLabel], ["b", ""]);
     history.redo();
     history.redo();
-    assert.equal(documents.userContent("a.txt")[0], "d");
+    assert.equal(documents.own("a.txt")[0], "d");
     history.edit("long", { documents: { "a.txt": "e".repeat(99) } });
     history.edit("short", { documents: { "a.txt": "f" } });
     history.undo();
-    assert.equal(documents.userContent("a.txt").length, 99);
+    assert.equal(documents.own("a.txt").length, 99);
   },
 };

@@ -165,7 +165,7 @@ export default {
   "a motion beside adds its way to this one's": ({ jointsAt, pathSpeed, pathAcceleration, Flag }) => {
     const beside = [3, 0, 3, 8, ...steady(8, 4), 0];
     const values = Float64Array.from([0, 0, 9, 0, ...curve, 0, 1, 4, ...beside]);
-    const [records, part] = [{ values, joints: 2 }, { at: 0, flags: 1 | Flag.superimposed, duration_s: 4 }];
+    const [records, part] = [{ values, joints: 2 }, { at: 0, flags: 1 | Flag.beside, duration_s: 4 }];
     const at = (t_s) => jointsAt(records, part, t_s);
     derive(at, [...inside(0, 1), ...inside(1, 3), ...inside(3, 4)]);
     assert.deepEqual([...at(4).position], [9, 8]);
@@ -176,7 +176,7 @@ export default {
 
   "axes that go apart each come to rest by themselves": ({ jointsAt, pathSpeed, Flag }) => {
     const values = Float64Array.from([0, 0, 9, 1, ...curve, 1, 1, 1, ...steady(1, 0.5), 1]);
-    const [records, part] = [{ values, joints: 2 }, { at: 0, flags: Flag.uncoordinated, duration_s: 4 }];
+    const [records, part] = [{ values, joints: 2 }, { at: 0, flags: Flag.apart, duration_s: 4 }];
     const state = jointsAt(records, part, 3.5);
     assert.deepEqual([state.position[1], state.velocity[1], state.acceleration[1]], [1, 0, 0]);
     near(pathSpeed(records, part, 2, 0, []), 3);

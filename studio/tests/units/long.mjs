@@ -28,7 +28,7 @@ export default {
   "a lean message says of each vertex its segment, its move, its process and its speed": ({ RunSection, decodeKind, decodeLimit }) => {
     const moves = [move(3, 2, { kind: 2, limit: 5, processOn: true, length_mm: 20 }), move(4, 1, { kind: 0 }), move(9, 1, { length_mm: 0 })];
     const section = new RunSection(100, leanMessage(moves, 100, 7), 0, undefined);
-    assert.deepEqual([section.count, section.start_s, section.end_s, section.permanentChunk], [3, 7, 11, null]);
+    assert.deepEqual([section.count, section.start_s, section.end_s, section.whole], [3, 7, 11, null]);
     assert.deepEqual([0, 1, 2].map((vertex) => section.vertexSegment(vertex)), [100, 101, 102]);
     const flags = section.vertexFlags(0);
     assert.deepEqual([decodeKind(flags), decodeLimit(flags), flags & 4, decodeKind(section.vertexFlags(1)), section.vertexFlags(1) & 4], [2, 5, 4, 0, 0]);
@@ -153,10 +153,10 @@ export default {
     const loop = [move(2, 1), move(3, 1), move(2, 1), move(3, 1)];
     const run = longRunOf(page, [loop, loop, [move(2, 1), move(7, 1), move(7, 1)], [move(7, 1), move(8, 1)]]);
     const { blocks, segments } = run.robots[0];
-    assert.deepEqual([blocks.tabled, [...blocks.blocksOfLine(0, 2)], [...blocks.blocksAfterTable({ file: 0, line: 2 })]], [4, [0, 2], [4, 6, 8]]);
+    assert.deepEqual([blocks.tabled, [...blocks.blocksOfLine(0, 2)], [...blocks.behindTable({ file: 0, line: 2 })]], [4, [0, 2], [4, 6, 8]]);
     assert.deepEqual([9, 10, 11, 12].map((segment) => blocks.of(segment)), [9, 9, 9, 12]);
     assert.deepEqual([blocks.first(9), blocks.end(9), blocks.after(9), blocks.before(12), blocks.before(4), blocks.after(12)], [9, 12, 12, 9, 3, -1]);
-    assert.deepEqual([...blocks.blocksAfterTable({ file: 0, line: 7 })], [9], "once");
+    assert.deepEqual([...blocks.behindTable({ file: 0, line: 7 })], [9], "once");
     assert.deepEqual([blocks.firstOf(0, 7), blocks.firstOf(0, 2), blocks.firstOf(1, 2)], [9, 0, -1]);
     assert.deepEqual([0.5, 3, 4.5, 5.9, 6.5, 20].map((t_s) => blocks.nearest(0, 2, t_s)), [0, 2, 4, 6, 6, 8]);
     assert.deepEqual(blocks.get(9), { file: 0, line: 7, first: 9, count: 3, start_s: 9, end_s: 12 });
@@ -235,7 +235,7 @@ export default {
     };
     const strides = (...rows) => [...rowStrides(rows, identity, 1000, 1000)];
     const row = zigzag(1000, 0.5);
-    assert.deepEqual([row.segmentCount, row.low.slice(0, 2), row.high.slice(0, 2)], [1000, [-0.5, -0.5], [0.5, 0.5]]);
+    assert.deepEqual([row.pieces, row.low.slice(0, 2), row.high.slice(0, 2)], [1000, [-0.5, -0.5], [0.5, 0.5]]);
     near(row.length_mm, 1000, 1);
     assert.deepEqual(strides(zigzag(100, 0.5)), [1]);
     assert.deepEqual(strides(zigzag(100, 0.5, 5)), [0]);

@@ -81,20 +81,20 @@ export default {
 
   "a question is answered by its last message": async ({ WorkerEngine }) => {
     const told = [];
-    const response = await engineThatSays(WorkerEngine, frame({ is: "done" })).request({}, new Map(), ({ is }) => told.push(is));
+    const response = await engineThatSays(WorkerEngine, frame({ is: "done" })).ask({}, new Map(), ({ is }) => told.push(is));
     assert.deepEqual([response.ok, told], [true, ["done"]]);
-    const failed = await engineThatSays(WorkerEngine, frame({ is: "failed", code: "c", message: "m" })).request({}, new Map(), () => {});
+    const failed = await engineThatSays(WorkerEngine, frame({ is: "failed", code: "c", message: "m" })).ask({}, new Map(), () => {});
     assert.deepEqual(failed, { ok: false, code: "c", message: "m" });
   },
 
   "a broken message ends the question, and does not hang": async ({ WorkerEngine }) => {
-    const { ok, code } = await engineThatSays(WorkerEngine, new Uint8Array(5)).request({}, new Map(), () => {});
+    const { ok, code } = await engineThatSays(WorkerEngine, new Uint8Array(5)).ask({}, new Map(), () => {});
     assert.deepEqual([ok, code], [false, "internal"]);
   },
 
   "a page without an engine says so": async ({ noEngine }) => {
     assert.equal(noEngine.available, false);
-    assert.equal((await noEngine.request({}, new Map(), () => {})).code, "unavailable");
+    assert.equal((await noEngine.ask({}, new Map(), () => {})).code, "unavailable");
   },
 
   "what is debounced is done once, at once, or not at all": async ({ Debounced }) => {

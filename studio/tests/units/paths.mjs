@@ -179,13 +179,13 @@ export default {
     const state = before.get("1/2");
     assert.equal(state.feed_mm_min, 6350);
     assert.deepEqual(state.rotary_deg, { B: -180, C: 0 });
-    const intoPockets = motions.find(({ targetId: { path, target } }) => path === 2 && target === 0);
+    const intoPockets = motions.find(({ place: { path, target } }) => path === 2 && target === 0);
     assert.deepEqual([intoPockets.from_mm, intoPockets.after], [[500, 284.1, 52], place(3, 1)]);
     const text = '{"paths": [{"name": "a", "targets": [{"position_mm": [0, 0, 0], "feed_mm_min": 5, "feed_mm_rev": 1}, {"path": "b", "repeats": 3}, {"position_mm": [9, 0, 0]}]}, {"name": "b", "targets": [{"position_mm": [1, 0, 0], "tool_axis": [1, 0, 0]}, {"position_mm": [2, 0, 0], "feed_mm_min": 6}]}, {"name": "c", "targets": [{"position_mm": [3, 0, 0]}]}]}';
     const walk = walkOf(page, text);
     const { feed_mm_min, feed_mm_rev, tool_axis } = walk.before.get("0/2");
     assert.deepEqual([feed_mm_min, feed_mm_rev, tool_axis], [6, undefined, [1, 0, 0]]);
-    const ways = walk.motions.filter(({ targetId: { path } }) => path === 1).map(({ from_mm, to_mm }) => `${from_mm[0]} ${to_mm[0]}`);
+    const ways = walk.motions.filter(({ place: { path } }) => path === 1).map(({ from_mm, to_mm }) => `${from_mm[0]} ${to_mm[0]}`);
     assert.deepEqual(ways, ["0 1", "1 2", "2 1"]);
     assert.deepEqual([...walk.used], [1, 0]);
   },

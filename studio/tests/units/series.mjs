@@ -27,7 +27,7 @@ function steps(rows) {
 
 function at(series, t_s) {
   const values = new Float32Array(series.width);
-  series.sample(t_s, values);
+  series.put(t_s, values);
   return [...values];
 }
 

@@ -74,14 +74,14 @@ export default {
       async (address) => {
         const told = [];
         const files = new Map([["a.nc", "G0 \ud800"], ["m.stl", Uint8Array.of(0, 255)]]);
-        const result = await engineAt(page, address).request({ do: "run" }, files, ({ is }) => told.push(is));
+        const result = await engineAt(page, address).ask({ do: "run" }, files, ({ is }) => told.push(is));
         assert.deepEqual([result.ok, told], [true, ["segments", "done"]]);
       },
     ),
 
   "answers that fail say why": async (page) => {
     const fails = async (respond, expectedValue) => {
-      const { ok, message } = await withServer(respond, (address) => engineAt(page, address).request({}, new Map(), () => {}));
+      const { ok, message } = await withServer(respond, (address) => engineAt(page, address).ask({}, new Map(), () => {}));
       assert.equal(ok, false);
       assert.match(message, expectedValue);
     };
@@ -106,7 +106,7 @@ export default {
       },
       async (address) => {
         const engine = engineAt(page, address);
-        const ask = (what, accept = () => {}) => engine.request({ do: what }, new Map(), accept);
+        const ask = (what, accept = () => {}) => engine.ask({ do: what }, new Map(), accept);
         const answers = await Promise.all([ask("a"), ask("b"), ask("c")]);
         assert.deepEqual([answers.map(({ ok }) => ok), most], [[true, true, true], 1]);
         const cancelled = ask("endless", () => engine.cancel());
@@ -155,13 +155,13 @@ export default {
   "the engine is given what it cannot read by itself": ({ Documents }) => {
     const documents = new Documents(new Map([["samples/a.nc", "G0"]]), true);
     documents.list("far.nc", 1e9);
-    const drop = (name, bytes) => documents.write(name, documents.read(name, bytes));
+    const drop = (name, bytes) => documents.put(name, documents.read(name, bytes));
     documents.storeFolderFile("part.nc", bytesOf("G1\r\n"));
     drop("dropped.nc", bytesOf("G2"));
     assert.deepEqual([...documents.files().keys()], ["dropped.nc"]);
-    documents.write("part.nc", "G1\n"); // as an editor has lines
+    documents.put("part.nc", "G1\n"); // as an editor has lines
     assert.deepEqual([documents.isUnsaved("part.nc"), documents.files().size], [false, 1]);
-    documents.write("part.nc", "G1 X1\n");
+    documents.put("part.nc", "G1 X1\n");
     drop("far.nc", bytesOf("G3"));
     assert.deepEqual(documents.unsavedNames(), ["part.nc", "far.nc"], "what lies over a file of the folder is an edit");
     assert.deepEqual([...documents.files()], [["part.nc", "G1 X1\n"], ["dropped.nc", "G2"], ["far.nc", "G3"]]);

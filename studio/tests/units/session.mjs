@@ -17,7 +17,7 @@ function made({ Session, Store, initialState, Documents, emptySetup, Runner }) {
   const engine = {
     available: true,
     runStorage: null,
-    request: ({ program }) =>
+    ask: ({ program }) =>
       new Promise((done) => {
         asked.push(program);
         tell = done;

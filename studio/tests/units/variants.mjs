@@ -184,34 +184,34 @@ export default {
     const failed = made(page, [move(2, 1)]);
     failed.error = { code: "program", message: "no" };
     accept(20, failed);
-    assert.deepEqual(results.standing(ofFeed(20)), { is: "failed", run: failed, message: "no" });
+    assert.deepEqual(results.standing(ofFeed(20)), { is: "failed", run: failed, why: "no" });
     accept(10, two());
     assert.deepEqual(is(100, 50, 20, 10), ["dropped", "stopped", "failed", "done"]);
     accept(100, two());
     assert.deepEqual(is(100, 50, 20, 10), ["done", "dropped", "failed", "done"]);
     accept(70, Object.defineProperty(two(), "isLong", { value: true }));
     assert.deepEqual(is(100, 70), ["done", "dropped"], "a run that is too long for the page");
-    documents.write("a.nc", "G1 X9\n");
+    documents.put("a.nc", "G1 X9\n");
     assert.deepEqual(results.standing(ofFeed(100)).files, ["a.nc"]);
     assert.deepEqual(is(100, 20, 10), ["earlier", "earlier", "earlier"]);
   },
 
   "a run is of earlier documents by what it reads, until they are again what they were": (page) => {
     const documents = new page.Documents(new Map([["m.toml", "[[axis]]\n"]]));
-    documents.write("a.nc", source);
-    documents.write("other.nc", "G1");
+    documents.put("a.nc", source);
+    documents.put("other.nc", "G1");
     const setup = { ...page.emptySetup(), program: "a.nc", machine: "m.toml" };
     const origin = page.createSnapshot(setup, documents);
     const run = made(page, [move(2, 1)]);
     const changed = () => page.changedSince(run, origin, documents);
     assert.deepEqual(changed(), []);
-    documents.write("other.nc", "G1 X1");
-    documents.write("my.variants.json", "{}");
+    documents.put("other.nc", "G1 X1");
+    documents.put("my.variants.json", "{}");
     assert.deepEqual(changed(), []);
-    documents.write("a.nc", "G1 X9\n");
-    documents.write("m.toml", "[[axis]]\n# mine\n");
+    documents.put("a.nc", "G1 X9\n");
+    documents.put("m.toml", "[[axis]]\n# mine\n");
     assert.deepEqual(changed().sort(), ["a.nc", "m.toml"]);
-    documents.write("a.nc", source);
+    documents.put("a.nc", source);
     documents.remove("m.toml");
     assert.deepEqual(changed(), []);
   },
@@ -232,9 +232,9 @@ export default {
     documents.storeFolderFile("m.toml", bytesOf("[[axis]]\n"));
     assert.deepEqual(changed(), [], "for the first time");
     assert.deepEqual(changed({ "tool.toml": "t2" }), ["tool.toml"]);
-    documents.write("tool.toml", "a = 2\n");
+    documents.put("tool.toml", "a = 2\n");
     assert.deepEqual(changed(), ["tool.toml"], "typed here");
-    documents.write("tool.toml", "a = 1\n");
+    documents.put("tool.toml", "a = 1\n");
     assert.deepEqual(changed(), []);
     // The texts show if a document that the page has had has changed.
     assert.deepEqual(changed({ "a.nc": "a2" }), []);

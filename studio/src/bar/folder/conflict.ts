@@ -16,10 +16,10 @@ const linesOf = (text: string): string[] => text.split(/\r?\n/);
 /** Returns the first difference between two texts. */
 function difference(mine: string, theirs: string): Node[] {
   const [here, theirLines] = [linesOf(mine), linesOf(theirs)];
-  const maxLength = Math.max(here.length, theirLines.length);
+  const most = Math.max(here.length, theirLines.length);
   let i = 0;
-  while (i < maxLength && here[i] === theirLines[i]) ++i;
-  if (i === maxLength) return [element("p", {}, words.noDifference)];
+  while (i < most && here[i] === theirLines[i]) ++i;
+  if (i === most) return [element("p", {}, words.noDifference)];
   const row = (label: string, line: string | undefined) =>
     element("div", {}, element("dt", {}, label), element("dd", {}, line === undefined ? words.noLine : line.slice(0, MAX_LINE_LENGTH)));
   return [

@@ -43,7 +43,7 @@ export class FolderSaver {
   /** Shows both versions, and applies the user's decision. */
   async resolveConflict(name: string): Promise<string | null> {
     const { folder } = this;
-    switch (await this.requestChoice(name)) {
+    switch (await this.ask(name)) {
       case "mine":
         return this.reportResult(name, await folder.keepMine(name));
       case "theirs":
@@ -59,7 +59,7 @@ export class FolderSaver {
     }
   }
 
-  private async requestChoice(name: string): Promise<ConflictChoice> {
+  private async ask(name: string): Promise<ConflictChoice> {
     if (this.openDialogs.has(name)) return "later";
     this.openDialogs.add(name);
     try {
@@ -79,7 +79,7 @@ export class FolderSaver {
   private async reportResult(name: string, saved: SaveResult): Promise<string | null> {
     if (saved.kind === "conflict") return this.resolveConflict(name);
     if (saved.kind === "saved") return name;
-    this.session.store.set("notice", words.notSaved(name, saved.message));
+    this.session.store.set("notice", words.notSaved(name, saved.why));
     return null;
   }
 

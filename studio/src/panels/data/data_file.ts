@@ -43,12 +43,12 @@ export class DataFile {
   change(label: string, change: DataChange, isNew = false): Promise<string> {
     const { name } = this;
     const act = () => this.make(name, label, change, isNew);
-    const result = this.last.then(act, act);
-    this.last = result;
-    return result;
+    const made = this.last.then(act, act);
+    this.last = made;
+    return made;
   }
 
-  /** Waits until all changes that began before are made or rejected. */
+  /** Waits until all changes that were begun before have been made or refused. */
   async untilSettled(): Promise<void> {
     await this.last.catch(() => {});
   }
@@ -56,7 +56,7 @@ export class DataFile {
   /** Returns why a change is not possible, or an empty text; changes nothing. */
   async findError(change: DataChange, isNew = false): Promise<string> {
     const response = await this.after(change, isNew);
-    return response.data ? "" : response.error;
+    return response.data ? "" : response.refusal;
   }
 
   /** Uses a file from a disk for the run; returns an error message, or an empty text. */
@@ -76,7 +76,7 @@ export class DataFile {
       const response = await this.after(change, isNew);
       // If the text has changed meanwhile, the change is made again on the new text.
       if (this.name !== name || documents.get(name) !== content) continue;
-      if (!response.data) return response.error;
+      if (!response.data) return response.refusal;
       history.edit(label, { documents: { [name]: response.data.text }, setup: { machine_data: name } });
       return "";
     }
@@ -89,6 +89,6 @@ export class DataFile {
     const before = await this.read();
     const count = ({ data }: DataResult) => data?.entries[change.section]?.length ?? 0;
     if (count(response) > count(before)) return response;
-    return { diagnostics: response.diagnostics, data: null, error: words.alreadyExists(change.id) };
+    return { diagnostics: response.diagnostics, data: null, refusal: words.alreadyExists(change.id) };
   }
 }

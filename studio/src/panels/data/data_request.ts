@@ -59,13 +59,13 @@ export interface Data {
 }
 
 /** The data, or the reason why they are missing; `diagnostics` has the warnings and errors. */
-export type DataResult = { diagnostics: EngineDiagnostic[] } & ({ data: Data } | { data: null; error: string });
+export type DataResult = { diagnostics: EngineDiagnostic[] } & ({ data: Data } | { data: null; refusal: string });
 
 export const lengthUnit = (unit: EntryUnit): LengthUnit => (unit === "inch" ? "inch" : "mm");
 
 /** Removes the file name from messages such as "jet.txt: 'a' is not a number", if the file is clear. */
-const stripFileName = (message: string, file: string): string =>
-  message.startsWith(`${file}: `) ? message.slice(file.length + 2) : message;
+const stripFileName = (sentence: string, file: string): string =>
+  sentence.startsWith(`${file}: `) ? sentence.slice(file.length + 2) : sentence;
 
 /** Returns the data of a file after some changes; new data if no file has the name. */
 export async function requestData(session: Session, file: string, changes: DataChange[]): Promise<DataResult> {
@@ -73,7 +73,7 @@ export async function requestData(session: Session, file: string, changes: DataC
   const response = await session.sendRequest({ do: "data", file, machine, cell, changes });
   const diagnostics = response.messages.filter(({ is }) => is === "diagnostic").map(({ header }) => header as unknown as EngineDiagnostic);
   const message = response.messages.find(({ is }) => is === "data");
-  if (!response.ok || !message) return { diagnostics, data: null, error: stripFileName(response.message, file) };
+  if (!response.ok || !message) return { diagnostics, data: null, refusal: stripFileName(response.message, file) };
   const { sections, entries } = message.header as unknown as Omit<Data, "text">;
   const text = new TextDecoder().decode(message.columns.get("text") as Uint8Array);
   return { diagnostics, data: { sections, entries, text } };

@@ -91,13 +91,13 @@ export class EntryDialog {
 
   private async submit(): Promise<void> {
     if (this.isRequestPending) return;
-    if (!this.entry && this.id.changed === undefined) return this.showError(this.id, words.noId);
+    if (!this.entry && this.id.changed === undefined) return this.refuse(this.id, words.noId);
     this.isRequestPending = true;
     const changed = this.fields.filter((field) => field.changed !== undefined);
     const values = Object.fromEntries(changed.map((field) => [field.name, field.changed!]));
-    const message = await this.events.make(this.change(values));
-    if (!message) this.dialog.close();
-    else this.showError(await this.findInvalidField(changed, message), message);
+    const refusal = await this.events.make(this.change(values));
+    if (!refusal) this.dialog.close();
+    else this.refuse(await this.findInvalidField(changed, refusal), refusal);
     this.isRequestPending = false;
   }
 
@@ -105,17 +105,17 @@ export class EntryDialog {
    * Returns the field that caused an error: the one that alone gives this error, or that it names; null:
    * several together.
    */
-  private async findInvalidField(changed: ValueField[], message: string): Promise<ValueField | null> {
-    const isErrorOf = async (values: Record<string, string>) => (await this.events.findError(this.change(values))) === message;
+  private async findInvalidField(changed: ValueField[], refusal: string): Promise<ValueField | null> {
+    const isErrorOf = async (values: Record<string, string>) => (await this.events.findError(this.change(values))) === refusal;
     const isErrorOfAny = !this.entry && (await isErrorOf({}));
     for (const field of isErrorOfAny ? [] : changed) if (await isErrorOf({ [field.name]: field.changed! })) return field;
-    return this.fields.find((field) => field.isNamedIn(message)) ?? (isErrorOfAny ? this.id : null);
+    return this.fields.find((field) => field.isNamedIn(refusal)) ?? (isErrorOfAny ? this.id : null);
   }
 
   /** Shows an error at a field, or below all fields. */
-  private showError(at: ValueField | null, message: string): void {
-    for (const field of [this.id, ...this.fields]) field.showError(field === at ? message : "");
-    this.error.textContent = at ? "" : message;
+  private refuse(at: ValueField | null, why: string): void {
+    for (const field of [this.id, ...this.fields]) field.refuse(field === at ? why : "");
+    this.error.textContent = at ? "" : why;
     this.error.hidden = at !== null;
     at?.input.focus();
   }

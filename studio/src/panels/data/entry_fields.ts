@@ -44,7 +44,7 @@ export class ValueField {
       hint,
       this.error,
     );
-    this.showError("");
+    this.refuse("");
   }
 
   get name(): string {
@@ -52,8 +52,8 @@ export class ValueField {
   }
 
   /** True for a message such as "Xmin is 10", which names XMIN; single letters are capitals. */
-  isNamedIn(message: string): boolean {
-    return new RegExp(`\\b${this.name}\\b`, this.name.length > 1 ? "i" : "").test(message);
+  isNamedIn(sentence: string): boolean {
+    return new RegExp(`\\b${this.name}\\b`, this.name.length > 1 ? "i" : "").test(sentence);
   }
 
   /** Returns the typed text; undefined if it is the value of the file. */
@@ -76,9 +76,9 @@ export class ValueField {
   }
 
   /** Shows an error of the value; empty: none. */
-  showError(message: string): void {
-    this.error.textContent = message;
-    this.error.hidden = !message;
-    this.input.setAttribute("aria-invalid", String(message !== ""));
+  refuse(why: string): void {
+    this.error.textContent = why;
+    this.error.hidden = !why;
+    this.input.setAttribute("aria-invalid", String(why !== ""));
   }
 }

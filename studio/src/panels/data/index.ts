@@ -93,10 +93,10 @@ class DataForm implements PanelForm {
   }
 
   private refresh(): void {
-    if (this.isVisible) void this.load();
+    if (this.isVisible) void this.ask();
   }
 
-  private async load(): Promise<void> {
+  private async ask(): Promise<void> {
     const requestNumber = ++this.requestNumber;
     const { name } = this.file;
     const response = await this.file.read();
@@ -123,7 +123,7 @@ class DataForm implements PanelForm {
    */
   private errorOf(response: DataResult): string {
     if (response.data) return "";
-    return response.diagnostics.length > 0 ? words.unreadable(this.file.name) : response.error;
+    return response.diagnostics.length > 0 ? words.unreadable(this.file.name) : response.refusal;
   }
 
   private showFiles(): void {
@@ -159,8 +159,8 @@ class DataForm implements PanelForm {
 
   /** Shows an error in the notice line of the page if no dialog is open. */
   private async make(label: string, change: DataChange): Promise<void> {
-    const error = await this.file.change(label, change);
-    if (error) this.store.set("notice", error);
+    const refusal = await this.file.change(label, change);
+    if (refusal) this.store.set("notice", refusal);
   }
 
   private chooseFile(name: string): void {
@@ -170,8 +170,8 @@ class DataForm implements PanelForm {
   private open(): void {
     openFileDialog(false, ([file]) => {
       void file.arrayBuffer().then((bytes) => {
-        const error = this.file.accept(file.name, new Uint8Array(bytes));
-        this.store.set("notice", error);
+        const refusal = this.file.accept(file.name, new Uint8Array(bytes));
+        this.store.set("notice", refusal);
       });
     });
   }
@@ -198,9 +198,9 @@ class DataForm implements PanelForm {
     if (!section) return;
     const dialog = new EntryDialog(section, null, this.store.get("units") === "inch" ? "inch" : "metric", {
       make: async (change) => {
-        const error = await this.file.change(words.steps.added(section.name, change.id), change, true);
-        if (!error) this.table.choose(change.id);
-        return error;
+        const refusal = await this.file.change(words.steps.added(section.name, change.id), change, true);
+        if (!refusal) this.table.choose(change.id);
+        return refusal;
       },
       findError: (change) => this.file.findError(change, true),
     });

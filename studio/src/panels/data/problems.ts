@@ -11,21 +11,21 @@ export interface Problems {
 }
 
 export function createProblems(): Problems {
-  const errorElement = element("p", { class: "sentence error" });
+  const sentence = element("p", { class: "sentence error" });
   const list = element("ul", { class: "rows" });
-  const host = element("div", { class: "problems", role: "status" }, errorElement, list);
+  const host = element("div", { class: "problems", role: "status" }, sentence, list);
   return {
     element: host,
     show(diagnostics, error) {
-      errorElement.textContent = error;
-      errorElement.hidden = !error;
+      sentence.textContent = error;
+      sentence.hidden = !error;
       list.replaceChildren(...diagnostics.map(problem));
     },
   };
 }
 
 function problem({ severity, line, text, hint }: EngineDiagnostic): HTMLElement {
-  const location = line > 0 ? [element("span", { class: "mark-place" }, texts.run.line(line))] : [];
-  const message = element("span", { class: "mark-text" }, text);
-  return element("li", { class: `mark ${severity}`, title: hint || false }, ...location, message);
+  const place = line > 0 ? [element("span", { class: "mark-place" }, texts.run.line(line))] : [];
+  const said = element("span", { class: "mark-text" }, text);
+  return element("li", { class: `mark ${severity}`, title: hint || false }, ...place, said);
 }

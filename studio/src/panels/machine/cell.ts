@@ -32,12 +32,12 @@ function createCellSection(context: Context): Section {
     home,
   );
   const fileField = (key: "machine" | "machine_data", label: string) => {
-    const setFile = (name: string | undefined) => {
+    const put = (name: string | undefined) => {
       const at = ["cell", key];
       const change = name ? ({ op: "set", at, value: referenceTo(model.file("cell"), name) } as const) : ({ op: "remove", at } as const);
       return edits.change("cell", texts.machine.changed(words.title, label), [change]);
     };
-    return new Field(store, { label, kind: "choice", meaning: words.fileHint[key] }, (value) => setFile(value as string | undefined));
+    return new Field(store, { label, kind: "choice", meaning: words.fileHint[key] }, (value) => put(value as string | undefined));
   };
   const files = { machine: fileField("machine", words.machine), machine_data: fileField("machine_data", words.machineData) };
   const draw = () => {

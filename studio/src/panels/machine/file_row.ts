@@ -25,7 +25,7 @@ export class FileRow {
   ) {
     const { edits, session, store } = context;
     this.errors = new ErrorList((file, line) => store.set("requestedLocation", { file, line }));
-    const showText = async () => store.set("requestedLocation", { file: await edits.editableFile(part), line: 1 });
+    const showText = async () => store.set("requestedLocation", { file: await edits.own(part), line: 1 });
     const save = async () => {
       await session.save(await edits.untilSettled(part));
       this.draw();
@@ -54,8 +54,8 @@ export class FileRow {
     this.name.title = file;
     const unsavedNote = session.documents.isUnsaved(file) ? words.unsaved : "";
     this.about.textContent = !isTomlFile(file) ? words.settings : isUserFile ? unsavedNote : words.sample;
-    const fileErrors = loaded?.error ? [loaded.error] : [];
-    const others = this.diagnostics.filter(({ text }) => !fileErrors.some((error) => error.text === text));
-    this.errors.show([...fileErrors, ...others]);
+    const own = loaded?.error ? [loaded.error] : [];
+    const others = this.diagnostics.filter(({ text }) => !own.some((error) => error.text === text));
+    this.errors.show([...own, ...others]);
   }
 }

@@ -46,7 +46,7 @@ export function createMachine(context: Context, chosen: ItemSelection, check: Ch
   const row = new FileRow(context, "machine", element("button", { type: "button", onclick: () => showWizard(context) }, words.wizard.open));
   const host = element("div", { class: "sections" });
   let sections: [string, Section][] = [];
-  let creation: Promise<void> | null = null;
+  let made: Promise<void> | null = null;
   const make = async () => {
     sections = await createSections(context, chosen);
     const all = [...sections, [words.sections.check, check] as const];
@@ -63,7 +63,7 @@ export function createMachine(context: Context, chosen: ItemSelection, check: Ch
   return {
     element: element("div", {}, row.element, host),
     draw() {
-      creation ??= make();
+      made ??= make();
       draw();
     },
     setDiagnostics: (errors) => row.setDiagnostics(errors),

@@ -31,7 +31,7 @@ export class PathActions implements TreeActions {
     private readonly session: Session,
     private readonly choice: TargetSelection,
     /** Shows why something is not done; empty: it is done. */
-    private readonly showMessage: (message: string) => void,
+    private readonly say: (sentence: string) => void,
   ) {}
 
   private get displayed(): DisplayedPath | null {
@@ -40,26 +40,26 @@ export class PathActions implements TreeActions {
   }
 
   private edit(label: string, text: string, range: Range | null = null): void {
-    this.showMessage("");
+    this.say("");
     editPath(this.store, this.session, label, text);
     if (range) this.choice.selectRange(range);
   }
 
   /** Returns the position after the selection; without one, the end of the path to begin with. */
-  private get insertionTarget(): { displayed: DisplayedPath; targetId: TargetId } | null {
+  private get behind(): { displayed: DisplayedPath; place: TargetId } | null {
     const { displayed } = this;
     if (!displayed) return null;
     const { range } = this.choice;
-    if (!range) return { displayed, targetId: endOfPath(displayed, Math.max(rootIndex(displayed.file), 0)) };
-    const { path, target } = range.targetId;
-    return { displayed, targetId: target < 0 ? endOfPath(displayed, path) : { path, target: target + range.count - 1 } };
+    if (!range) return { displayed, place: endOfPath(displayed, Math.max(rootIndex(displayed.file), 0)) };
+    const { path, target } = range.place;
+    return { displayed, place: target < 0 ? endOfPath(displayed, path) : { path, target: target + range.count - 1 } };
   }
 
   private insert(label: string, target: Target): void {
-    const at = this.insertionTarget;
+    const at = this.behind;
     if (!at) return;
-    const { path, target: before } = at.targetId;
-    this.edit(label, addTargets(at.displayed.text, at.displayed.file, at.targetId, [target]), { targetId: { path, target: before + 1 }, count: 1 });
+    const { path, target: before } = at.place;
+    this.edit(label, addTargets(at.displayed.text, at.displayed.file, at.place, [target]), { place: { path, target: before + 1 }, count: 1 });
   }
 
   /** Inserts a point and selects it. */
@@ -69,18 +69,18 @@ export class PathActions implements TreeActions {
 
   /** Adds a point halfway to the next one, or beyond the last one. */
   add(): void {
-    const at = this.insertionTarget;
+    const at = this.behind;
     if (!at) return;
-    const before = targetAt(at.displayed.file, at.targetId);
+    const before = targetAt(at.displayed.file, at.place);
     // The position of a machine point in the work is unknown: only a rapid leads from there.
     const motion = before && isMachinePoint(before) ? "rapid" : "linear";
-    this.addPoint({ motion, position_mm: insertionPosition(at.displayed, at.targetId) });
+    this.addPoint({ motion, position_mm: insertionPosition(at.displayed, at.place) });
   }
 
   addMachinePoint(point: MachinePoint): void {
     const { displayed } = this;
     if (!displayed) return;
-    if (isRecorded(displayed.file)) return this.showMessage(words.machinePoint.notRecorded);
+    if (isRecorded(displayed.file)) return this.say(words.machinePoint.notRecorded);
     this.insert(words.labels.addMachinePoint, point);
   }
 
@@ -90,79 +90,79 @@ export class PathActions implements TreeActions {
 
   duplicate(): void {
     const [{ displayed }, { range }] = [this, this.choice];
-    if (!displayed || !range || range.targetId.target < 0) return;
-    const { targetId, count } = range;
-    const copies = { targetId: { path: targetId.path, target: targetId.target + count }, count };
-    this.edit(words.labels.duplicate, duplicateTargets(displayed.text, targetId, count), copies);
+    if (!displayed || !range || range.place.target < 0) return;
+    const { place, count } = range;
+    const copies = { place: { path: place.path, target: place.target + count }, count };
+    this.edit(words.labels.duplicate, duplicateTargets(displayed.text, place, count), copies);
   }
 
   remove(): void {
     const [{ displayed }, { range }] = [this, this.choice];
     if (!displayed || !range) return;
-    const { path, target } = range.targetId;
+    const { path, target } = range.place;
     const { name, targets } = displayed.file.paths[path];
     if (target < 0) return this.removePath(displayed, path);
-    if (range.count === targets.length) return this.showMessage(words.tree.lastTarget(name));
+    if (range.count === targets.length) return this.say(words.tree.lastTarget(name));
     const next = Math.min(target, targets.length - range.count - 1);
-    this.edit(words.labels.remove, removeTargets(displayed.text, displayed.file, range.targetId, range.count), { targetId: { path, target: next }, count: 1 });
+    this.edit(words.labels.remove, removeTargets(displayed.text, displayed.file, range.place, range.count), { place: { path, target: next }, count: 1 });
   }
 
   private removePath(displayed: DisplayedPath, path: number): void {
     const { name } = displayed.file.paths[path];
-    const usingPaths = referencesTo(displayed.file, name).map((targetId) => displayed.file.paths[targetId.path].name);
-    if (usingPaths.length > 0) return this.showMessage(words.tree.isUsed(name, [...new Set(usingPaths)].join(", ")));
-    if (path === rootIndex(displayed.file)) return this.showMessage(words.tree.isRoot(name));
+    const usingPaths = referencesTo(displayed.file, name).map((place) => displayed.file.paths[place.path].name);
+    if (usingPaths.length > 0) return this.say(words.tree.isUsed(name, [...new Set(usingPaths)].join(", ")));
+    if (path === rootIndex(displayed.file)) return this.say(words.tree.isRoot(name));
     this.store.set("pathPoint", null);
     this.edit(words.labels.removePath, removePath(displayed.text, displayed.file, path));
   }
 
   move(by: number): void {
     const { range } = this.choice;
-    if (range) this.moveToIndex(range, range.targetId.target + by);
+    if (range) this.moveToIndex(range, range.place.target + by);
   }
 
-  moveTo(targetId: TargetId): void {
+  moveTo(place: TargetId): void {
     const { range } = this.choice;
-    if (!range || this.choice.has(targetId)) return;
+    if (!range || this.choice.has(place)) return;
     // After the target if that is further down, before it if it is further up.
-    this.moveToIndex(range, targetId.target > range.targetId.target ? targetId.target - range.count + 1 : targetId.target);
+    this.moveToIndex(range, place.target > range.place.target ? place.target - range.count + 1 : place.target);
   }
 
-  private moveToIndex({ targetId, count }: Range, to: number): void {
+  private moveToIndex({ place, count }: Range, to: number): void {
     const { displayed } = this;
-    const last = (displayed?.file.paths[targetId.path].targets.length ?? 0) - count;
-    if (!displayed || targetId.target < 0 || to < 0 || to > last) return;
-    const moved = { targetId: { path: targetId.path, target: to }, count };
-    this.edit(words.labels.order, moveTargets(displayed.text, displayed.file, targetId, count, to), moved);
+    const last = (displayed?.file.paths[place.path].targets.length ?? 0) - count;
+    if (!displayed || place.target < 0 || to < 0 || to > last) return;
+    const moved = { place: { path: place.path, target: to }, count };
+    this.edit(words.labels.order, moveTargets(displayed.text, displayed.file, place, count, to), moved);
   }
 
   makeSubPath(): void {
     const [{ displayed }, { range }] = [this, this.choice];
-    if (!displayed || !range || range.targetId.target < 0) return;
-    const { targetId, count } = range;
+    if (!displayed || !range || range.place.target < 0) return;
+    const { place, count } = range;
     const name = freeName(displayed.file, words.tree.newSubPath);
-    this.edit(words.labels.makeSubPath, makeSubPath(displayed.text, displayed.file, targetId, count, name), { targetId, count: 1 });
+    this.edit(words.labels.makeSubPath, makeSubPath(displayed.text, displayed.file, place, count, name), { place, count: 1 });
   }
 
   addLeads(choice: LeadChoice): void {
     const { displayed } = this;
-    const range = this.choice.range ?? { targetId: { path: Math.max(rootIndex(displayed?.file ?? { paths: [] }), 0), target: -1 }, count: 1 };
+    const range = this.choice.range ?? { place: { path: Math.max(rootIndex(displayed?.file ?? { paths: [] }), 0), target: -1 }, count: 1 };
     if (!displayed) return;
-    const all = { targetId: { path: range.targetId.path, target: 0 }, count: displayed.file.paths[range.targetId.path].targets.length };
+    const all = { place: { path: range.place.path, target: 0 }, count: displayed.file.paths[range.place.path].targets.length };
     // A single point selects its path, because a contour has several points.
-    const { targetId, count } = range.count > 1 ? range : all;
-    const result = addLeads(displayed.text, displayed.file, displayed.walk, targetId, count, choice);
-    if (typeof result === "string") this.edit(words.labels.leads, result);
-    else this.showMessage(result.error);
+    const { place, count } = range.count > 1 ? range : all;
+    const made = addLeads(displayed.text, displayed.file, displayed.walk, place, count, choice);
+    if (typeof made === "string") this.edit(words.labels.leads, made);
+    else this.say(made.error);
   }
 }
 
 const endOfPath = ({ file }: DisplayedPath, path: number): TargetId => ({ path, target: file.paths[path].targets.length - 1 });
 
 /** Returns a position for a point after another one. */
-function insertionPosition({ file, walk }: DisplayedPath, targetId: TargetId): Vector {
-  const { path, target } = targetId;
-  const here = pointAt(file, targetId)?.position_mm ?? walk.motions.find((motion) => motion.targetId.path === path)?.to_mm ?? [0, 0, 0];
+function insertionPosition({ file, walk }: DisplayedPath, place: TargetId): Vector {
+  const { path, target } = place;
+  const here = pointAt(file, place)?.position_mm ?? walk.motions.find((motion) => motion.place.path === path)?.to_mm ?? [0, 0, 0];
   const next = file.paths[path].targets[target + 1];
   if (next && isPoint(next)) return roundedVector(between(here, next.position_mm, 0.5));
   const before = pointAt(file, { path, target: target - 1 })?.position_mm;

@@ -23,7 +23,7 @@ export class ArcFields {
       ["via", words.byVia],
       ["center", words.byCenter],
     ],
-    (kind) => this.changeKind(kind),
+    (kind) => this.say(kind),
   );
   private readonly via = this.vector(words.via, "via_mm", "length");
   private readonly center = this.vector(words.center, "center_mm", "length");
@@ -56,10 +56,10 @@ export class ArcFields {
     this.turn.show({ value: point.turn_deg }, units);
   }
 
-  private changeKind(kind: Kind): void {
+  private say(kind: Kind): void {
     if (!this.point) return;
-    const converted = convertArc(this.point, this.from_mm, kind);
-    if (converted) this.change(converted);
+    const said = convertArc(this.point, this.from_mm, kind);
+    if (said) this.change(said);
     else this.kind.show(this.point.via_mm ? "via" : "center");
   }
 }

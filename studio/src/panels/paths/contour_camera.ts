@@ -41,8 +41,8 @@ export function initialCamera(side: string): Camera {
 export function turned(camera: Camera, right_px: number, down_px: number): Camera {
   const RAD_PER_PX = 0.01;
   const elevation_rad = camera.elevation_rad + down_px * RAD_PER_PX;
-  const maxElevation_rad = Math.PI / 2;
-  return { ...camera, yaw_rad: camera.yaw_rad - right_px * RAD_PER_PX, elevation_rad: Math.min(maxElevation_rad, Math.max(-maxElevation_rad, elevation_rad)) };
+  const most = Math.PI / 2;
+  return { ...camera, yaw_rad: camera.yaw_rad - right_px * RAD_PER_PX, elevation_rad: Math.min(most, Math.max(-most, elevation_rad)) };
 }
 
 function directions({ yaw_rad, elevation_rad }: Camera): [right: Vector, up: Vector] {
@@ -126,10 +126,10 @@ function distance(line: Float32Array, x: number, y: number): number {
 
 /** Returns the line that is nearest to a position, and near enough; -1: none. */
 export function nearestLine(lines: readonly Float32Array[], x: number, y: number, within_px: number): number {
-  let [found, nearest_px] = [-1, within_px];
+  let [found, least] = [-1, within_px];
   lines.forEach((line, i) => {
     const each = distance(line, x, y);
-    if (each < nearest_px) [found, nearest_px] = [i, each];
+    if (each < least) [found, least] = [i, each];
   });
   return found;
 }

@@ -29,9 +29,9 @@ export class ContourList {
   constructor(private readonly on: ContourListEvents) {}
 
   showContours(contours: readonly ListedContour[], units: Units, areSelectable: boolean): void {
-    const checkboxes = contours.map((contour, i) => check(contourText(contour, units), (isCut) => this.on.onToggled(i, isCut)));
-    this.boxes = checkboxes.map(({ box }) => box);
-    this.rows = checkboxes.map(({ row, box }, i) => {
+    const made = contours.map((contour, i) => check(contourText(contour, units), (isCut) => this.on.onToggled(i, isCut)));
+    this.boxes = made.map(({ box }) => box);
+    this.rows = made.map(({ row, box }, i) => {
       box.disabled = !areSelectable;
       const point = () => this.on.onPointed(i);
       const leave = () => this.on.onPointed(-1);

@@ -74,7 +74,7 @@ export class ContourPicker {
     }
     this.showPicks();
     this.showState();
-    void this.sendRequests();
+    void this.ask();
   }
 
   end(): void {
@@ -86,26 +86,26 @@ export class ContourPicker {
    * Sends one request at a time. A request that comes meanwhile is sent after it, and an outdated response
    * changes nothing.
    */
-  private async sendRequests(): Promise<void> {
+  private async ask(): Promise<void> {
     if (this.isRequestPending) return;
     this.isRequestPending = true;
     while (this.requested !== "" && this.requested !== this.known) {
-      const sent = this.requested;
+      const asked = this.requested;
       this.showState();
-      const response = await readContours(this.session, JSON.parse(sent) as Record<string, unknown>);
-      if (sent !== this.requested) continue;
-      this.known = sent;
-      this.contours = "error" in response ? [] : response.contours;
-      this.error.textContent = "error" in response ? response.error : "";
-      this.notes.replaceChildren(...("error" in response ? [] : response.notes).map((note) => element("li", {}, note)));
-      this.accept(sent);
+      const response = await readContours(this.session, JSON.parse(asked) as Record<string, unknown>);
+      if (asked !== this.requested) continue;
+      this.known = asked;
+      this.contours = "refused" in response ? [] : response.contours;
+      this.error.textContent = "refused" in response ? response.refused : "";
+      this.notes.replaceChildren(...("refused" in response ? [] : response.notes).map((note) => element("li", {}, note)));
+      this.accept(asked);
     }
     this.isRequestPending = false;
     this.showState();
   }
 
-  private accept(sent: string): void {
-    const { contours } = JSON.parse(sent) as ContourSource;
+  private accept(asked: string): void {
+    const { contours } = JSON.parse(asked) as ContourSource;
     this.highlighted = -1;
     this.view.showLines(
       this.contours.map(({ polyline_mm }) => polyline_mm),

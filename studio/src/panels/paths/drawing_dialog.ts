@@ -63,7 +63,7 @@ const numbers: Partial<Record<NumberKey, [quantity: Quantity, without: number | 
   gap_mm: ["length", 0.02],
 };
 const commonKeys: NumberKey[] = ["thickness_mm", "quality"];
-const customKeys: NumberKey[] = ["speed_mm_min", "kerf_mm", "pierce_s"];
+const own: NumberKey[] = ["speed_mm_min", "kerf_mm", "pierce_s"];
 const pathKeys: NumberKey[] = ["lead_mm", "safe_height_mm", "cut_height_mm", "bevel_deg"];
 const rareKeys: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
 
@@ -101,8 +101,8 @@ export const defaultDrawingChoice: DrawingChoice = { material: "", origin_mm: [0
 export interface DrawingEvents {
   /** Called with the choice, to offer it again. */
   chosen(choice: DrawingChoice): void;
-  /** Called with a created path and the drawing it was created from. */
-  created(path: GeneratedPath, drawing: string): void;
+  /** What was made, and what of. */
+  made(path: GeneratedPath, drawing: string): void;
 }
 
 export class DrawingDialog {
@@ -143,13 +143,13 @@ export class DrawingDialog {
     this.set({ avoidsCollisions: avoidsCollisions || undefined }),
   );
   private readonly accuracy = element("div", { class: "group" }, this.moving.row, this.taperCompensation.row);
-  private readonly error = element("p", { class: "fault", role: "alert", hidden: true });
+  private readonly refused = element("p", { class: "fault", role: "alert", hidden: true });
   private readonly make = element("button", { type: "submit", class: "primary" }, words.make);
   private readonly materialGroup = element("div", { class: "group" });
   private readonly customGroup = element("div", { class: "group" });
-  /** True if custom values override those of the material. */
+  /** True if own values override those of the material. */
   private overridesMaterial = false;
-  private readonly customCheck = check(words.own, (on) => {
+  private readonly own = check(words.own, (on) => {
     this.overridesMaterial = on;
     this.set(on ? {} : { speed_mm_min: undefined, kerf_mm: undefined, pierce_s: undefined });
   });
@@ -165,7 +165,7 @@ export class DrawingDialog {
     for (const [key, known] of Object.entries(numbers) as [NumberKey, [Quantity, number | undefined]][]) {
       this.rows.set(key, new NumberRow(words.numbers[key as keyof typeof words.numbers], known[0], (value) => this.set({ [key]: value })));
     }
-    this.overridesMaterial = customKeys.some((key) => choice[key] !== undefined);
+    this.overridesMaterial = own.some((key) => choice[key] !== undefined);
     this.picker = new ContourPicker(session, (edges) => this.set({ picked: edges && { drawing: this.drawing, edges } }));
     this.element = this.build();
     document.body.append(this.element);
@@ -181,8 +181,8 @@ export class DrawingDialog {
       this.drawing = name;
       this.show();
     });
-    this.customGroup.append(...of(customKeys));
-    this.materialGroup.append(...of(commonKeys), this.customCheck.row);
+    this.customGroup.append(...of(own));
+    this.materialGroup.append(...of(commonKeys), this.own.row);
     const form = element(
       "form",
       { class: "form", onsubmit: (event) => this.submit(event) },
@@ -196,7 +196,7 @@ export class DrawingDialog {
       this.avoidsCollisions.row,
       element("details", {}, element("summary", {}, words.cuttingPath), ...of(pathKeys)),
       element("details", {}, element("summary", {}, words.reading), this.unit.element, this.layers.element, ...of(rareKeys)),
-      this.error,
+      this.refused,
       element("div", { class: "buttons" }, this.make, element("button", { type: "button", onclick: () => this.element.close() }, words.cancel)),
     );
     const attributes = { class: "drawing-dialog", "aria-label": words.title, onclose: () => this.end() };
@@ -224,7 +224,7 @@ export class DrawingDialog {
     for (const [key, row] of this.rows) row.show({ value: this.choice[key], inherited: numbers[key]![1] }, units);
     this.material.setOptions([["", words.noMaterial], ...this.materials.map((name) => [name, name] as const)], this.choice.material);
     this.materialGroup.hidden = this.choice.material === "";
-    this.customCheck.box.checked = this.overridesMaterial;
+    this.own.box.checked = this.overridesMaterial;
     this.customGroup.hidden = !this.overridesMaterial && this.choice.material !== "";
     const isSurface = isSolid(this.drawing) && this.choice.contours !== undefined;
     this.solidGroup.hidden = !isSolid(this.drawing);
@@ -252,23 +252,23 @@ export class DrawingDialog {
     this.picker.show(source, selectedEdgesFor(drawing, choice), units);
   }
 
-  private showError(message: string): void {
-    this.error.hidden = message === "";
-    this.error.textContent = message;
+  private refuse(sentence: string): void {
+    this.refused.hidden = sentence === "";
+    this.refused.textContent = sentence;
   }
 
   private async submit(event: Event): Promise<void> {
     event.preventDefault();
     const { drawing } = this;
-    if (this.choice.contours && isSolid(drawing) && selectedEdgesFor(drawing, this.choice)?.length === 0) return this.showError(texts.paths.contours.picture.noneCut);
+    if (this.choice.contours && isSolid(drawing) && selectedEdgesFor(drawing, this.choice)?.length === 0) return this.refuse(texts.paths.contours.picture.noneCut);
     this.make.disabled = true;
-    const result = await generatePath(this.session, drawingRequest(drawing, this.choice, this.session.setup));
+    const made = await generatePath(this.session, drawingRequest(drawing, this.choice, this.session.setup));
     this.make.disabled = false;
     // Cancelled meanwhile.
     if (!this.element.open) return;
-    this.showError("error" in result ? result.error : "");
-    if ("error" in result) return;
+    this.refuse("refused" in made ? made.refused : "");
+    if ("refused" in made) return;
     this.element.close();
-    this.on.created(result, drawing);
+    this.on.made(made, drawing);
   }
 }

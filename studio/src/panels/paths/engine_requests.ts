@@ -14,7 +14,7 @@ const warningTexts = ({ messages }: EngineResponse): string[] =>
   messages.flatMap(({ is, header }) => (is === "diagnostic" ? [String(header.text)] : []));
 
 export interface RejectedRequest {
-  error: string;
+  refused: string;
 }
 
 export interface WrittenProgram {
@@ -42,7 +42,7 @@ export async function writeProgram(session: Session, path: string, choice: Write
   const { machine, machine_data, cell } = session.setup;
   const response = await session.sendRequest({ do: "write", path, machine, machine_data, cell, ...choice });
   const message = findMessage(response, "program");
-  if (!response.ok || !message) return { error: response.message };
+  if (!response.ok || !message) return { refused: response.message };
   const names = message.header.files as string[];
   const files = Object.fromEntries(names.map((name, i) => [name, decode(message.columns.get(`file${i}`))]));
   return { text: decode(message.columns.get("text")), notes: message.header.notes as string[], files };
@@ -71,7 +71,7 @@ export interface GeneratedPath {
 export async function generatePath(session: Session, request: Record<string, unknown>): Promise<GeneratedPath | RejectedRequest> {
   const response = await session.sendRequest({ do: "drawing", ...request });
   const message = findMessage(response, "path");
-  if (!response.ok || !message) return { error: response.message };
+  if (!response.ok || !message) return { refused: response.message };
   const { summary, job_text } = message.header as Record<string, string>;
   return { text: decode(message.columns.get("text")), summary, job: job_text, warnings: warningTexts(response) };
 }
@@ -96,7 +96,7 @@ interface ContourHeader {
 export async function readContours(session: Session, request: Record<string, unknown>): Promise<PartContours | RejectedRequest> {
   const response = await session.sendRequest({ do: "contours", ...request });
   const message = findMessage(response, "contours");
-  if (!response.ok || !message) return { error: response.message };
+  if (!response.ok || !message) return { refused: response.message };
   const lines = message.columns.get("lines") as Float64Array;
   let at = 0;
   const contours = (message.header.contours as ContourHeader[]).map(({ is_hole, points, ...rest }) => {

@@ -7,8 +7,8 @@ import { isSameTarget, type TargetId } from "../../run/path/path_file";
 export class ErrorLine {
   readonly element = element("p", { class: "fault", role: "alert" });
 
-  show({ walk }: DisplayedPath, targetId: TargetId): void {
-    this.element.textContent = walk.errors.find((error) => isSameTarget(error.targetId, targetId))?.text ?? "";
+  show({ walk }: DisplayedPath, place: TargetId): void {
+    this.element.textContent = walk.errors.find((error) => isSameTarget(error.place, place))?.text ?? "";
     this.element.hidden = this.element.textContent === "";
   }
 }

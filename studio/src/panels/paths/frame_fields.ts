@@ -9,8 +9,8 @@ import { texts } from "../../texts";
 import { ChoiceRow, NumbersRow, TextRow } from "./fields";
 
 const words = texts.paths.form;
-const frameWords = texts.paths.frame;
-type Origin = keyof typeof frameWords.origins;
+const own = texts.paths.frame;
+type Origin = keyof typeof own.origins;
 
 interface FrameState {
   frame: WorkFrame;
@@ -23,14 +23,14 @@ export class FrameFields {
   readonly element: HTMLElement;
   private at: FrameState | null = null;
   private readonly offset = new TextRow(words.workOffset, (name) => this.setOffset(name.trim()));
-  private readonly origin = new ChoiceRow<Origin>(frameWords.origin, [["control", frameWords.origins.control], ["program", frameWords.origins.program]], (origin) =>
+  private readonly origin = new ChoiceRow<Origin>(own.origin, [["control", own.origins.control], ["program", own.origins.program]], (origin) =>
     this.change({ set_offset_mm: origin === "program" ? [0, 0, 0] : undefined }),
   );
-  private readonly position = new NumbersRow(frameWords.place, ["X", "Y", "Z"], "length", (values) => this.setOffsetPosition(values));
+  private readonly place = new NumbersRow(own.place, ["X", "Y", "Z"], "length", (values) => this.setOffsetPosition(values));
   private readonly note = element("p", { class: "note" });
 
   constructor(private readonly change: (change: FrameChange) => void) {
-    const rows = [this.offset, this.origin, this.position].map((row) => row.element);
+    const rows = [this.offset, this.origin, this.place].map((row) => row.element);
     this.element = element("div", { class: "group" }, ...rows, this.note);
   }
 
@@ -41,10 +41,10 @@ export class FrameFields {
     this.offset.show(work_offset ?? "", inherited);
     this.origin.element.hidden = work_offset === undefined;
     this.origin.show(set_offset_mm ? "program" : "control");
-    this.position.element.hidden = set_offset_mm === undefined;
-    this.position.show(set_offset_mm ?? [], units);
+    this.place.element.hidden = set_offset_mm === undefined;
+    this.place.show(set_offset_mm ?? [], units);
     this.note.hidden = probe_offset === undefined;
-    this.note.textContent = frameWords.touches(probe_offset?.length ?? 0);
+    this.note.textContent = own.touches(probe_offset?.length ?? 0);
   }
 
   /** Without a work offset no position can be set. */

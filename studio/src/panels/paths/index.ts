@@ -33,7 +33,7 @@ class PathsPanel {
   private readonly choice: TargetSelection;
   private readonly actions: PathActions;
   private readonly files = element("div", { class: "files" });
-  private readonly status = element("div", { class: "said", role: "status" });
+  private readonly said = element("div", { class: "said", role: "status" });
   private readonly error = element("p", { class: "fault", role: "alert" });
   private readonly toolbar: PathToolbar;
   private readonly tree: PathTree;
@@ -49,24 +49,24 @@ class PathsPanel {
     private readonly store: Store,
     private readonly session: Session,
   ) {
-    const showMessage = (message: string) => this.showMessage(message);
+    const say = (sentence: string) => this.say(sentence);
     this.choice = new TargetSelection(store);
     this.known = new SetupPoints(session, () => this.showProperties(store.get("path")));
-    this.actions = new PathActions(store, session, this.choice, showMessage);
+    this.actions = new PathActions(store, session, this.choice, say);
     this.toolbar = new PathToolbar(this.actions, this.choice, this.known);
     this.tree = new PathTree(store, this.choice, this.actions);
     this.forms = {
-      point: new PointForm(store, session, showMessage),
-      machinePoint: new MachinePointForm(store, session, this.known, showMessage),
-      subPath: new SubPathForm(store, session, showMessage),
-      path: new PathForm(store, session, showMessage),
+      point: new PointForm(store, session, say),
+      machinePoint: new MachinePointForm(store, session, this.known, say),
+      subPath: new SubPathForm(store, session, say),
+      path: new PathForm(store, session, say),
     };
     this.leads = new LeadsForm((requested) => this.actions.addLeads(requested));
     this.write = new WriteForm(store, session);
     const forms = Object.values(this.forms).map((form) => form.element);
     const parts = [this.toolbar.element, this.tree.element, this.heading, ...forms, this.leads.element, this.write.element];
     this.body = element("div", {}, ...parts);
-    this.element = element("div", { class: "paths" }, this.files, this.status, this.error, this.body);
+    this.element = element("div", { class: "paths" }, this.files, this.said, this.error, this.body);
     this.listen();
   }
 
@@ -97,9 +97,9 @@ class PathsPanel {
   }
 
   /** `table` is text in columns, which may be wider than the side panel. */
-  private showMessage(message: string, table = ""): void {
-    this.status.replaceChildren(message, ...(table ? [element("pre", {}, table)] : []));
-    this.status.hidden = message === "";
+  private say(sentence: string, table = ""): void {
+    this.said.replaceChildren(sentence, ...(table ? [element("pre", {}, table)] : []));
+    this.said.hidden = sentence === "";
   }
 
   private showFiles(): void {
@@ -123,7 +123,7 @@ class PathsPanel {
 
   private show(): void {
     const displayed = this.store.get("path");
-    this.showMessage("");
+    this.say("");
     this.body.hidden = displayed === null;
     this.error.hidden = !displayed?.error;
     this.error.textContent = displayed?.error ?? "";
@@ -137,24 +137,24 @@ class PathsPanel {
 
   private showProperties(displayed: DisplayedPath | null): void {
     const { range } = this.choice;
-    const targetId = this.choice.point;
-    const target = displayed && targetId ? targetAt(displayed.file, targetId) : undefined;
+    const place = this.choice.point;
+    const target = displayed && place ? targetAt(displayed.file, place) : undefined;
     const { point, machinePoint, subPath, path } = this.forms;
     point.element.hidden = !target || !isPoint(target);
     machinePoint.element.hidden = !target || !isMachinePoint(target);
     subPath.element.hidden = !target || !isSubPath(target);
-    path.element.hidden = !displayed || targetId === null || targetId.target >= 0;
-    this.heading.hidden = targetId === null;
-    if (!displayed || !targetId) return;
-    const { name } = displayed.file.paths[targetId.path];
-    if (targetId.target < 0) {
+    path.element.hidden = !displayed || place === null || place.target >= 0;
+    this.heading.hidden = place === null;
+    if (!displayed || !place) return;
+    const { name } = displayed.file.paths[place.path];
+    if (place.target < 0) {
       this.heading.textContent = words.form.ofPath(name);
-      path.show(displayed, targetId.path);
+      path.show(displayed, place.path);
     } else if (target) {
-      this.heading.textContent = words.form.ofTarget(name, targetId.target + 1, range?.count ?? 1);
-      if (isSubPath(target)) subPath.show(displayed, targetId, target);
-      else if (isMachinePoint(target)) machinePoint.show(displayed, targetId, target);
-      else point.show({ displayed, targetId, point: target, before: displayed.walk.before.get(targetKey(targetId)) ?? {} });
+      this.heading.textContent = words.form.ofTarget(name, place.target + 1, range?.count ?? 1);
+      if (isSubPath(target)) subPath.show(displayed, place, target);
+      else if (isMachinePoint(target)) machinePoint.show(displayed, place, target);
+      else point.show({ displayed, place, point: target, before: displayed.walk.before.get(targetKey(place)) ?? {} });
     }
   }
 
@@ -168,7 +168,7 @@ class PathsPanel {
   private openDrawingDialog(name: string): void {
     new DrawingDialog(this.store, this.session, name, this.drawingChoice, {
       chosen: (chosen) => (this.drawingChoice = chosen),
-      created: (path, drawing) => this.drawn(path, drawing),
+      made: (path, drawing) => this.drawn(path, drawing),
     });
   }
 
@@ -176,7 +176,7 @@ class PathsPanel {
     const stem = shortName(drawing).replace(/\.[^.]*$/, "");
     const { store, session } = this;
     insertFile(store, session, words.labels.drawing(shortName(drawing)), freeFileName(session.documents, stem), text);
-    this.showMessage([summary, ...warnings].filter((each) => each !== "").join("\n"), job);
+    this.say([summary, ...warnings].filter((each) => each !== "").join("\n"), job);
   }
 }
 

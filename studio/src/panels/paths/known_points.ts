@@ -11,13 +11,13 @@ export class SetupPoints {
   private known: KnownPoints | null = noPoints;
   private isVisible = false;
   private requestNumber = 0;
-  private lastRequest = "";
+  private asked = "";
 
   constructor(
     private readonly session: Session,
     private readonly changed: () => void,
   ) {
-    session.on(() => this.refresh(this.lastRequest));
+    session.on(() => this.refresh(this.asked));
     session.documents.on((name) => {
       const { machine_data, machine, cell } = session.setup;
       if ([machine_data, machine, cell].includes(name)) this.refresh();
@@ -46,13 +46,13 @@ export class SetupPoints {
   /** Requests the points again, unless the last request was the same. */
   private refresh(last = ""): void {
     const { machine_data, machine, cell } = this.session.setup;
-    const request = [machine_data, machine, cell].join("\n");
-    if (!this.isVisible || request === last) return;
-    this.lastRequest = request;
-    void this.requestPoints();
+    const asked = [machine_data, machine, cell].join("\n");
+    if (!this.isVisible || asked === last) return;
+    this.asked = asked;
+    void this.ask();
   }
 
-  private async requestPoints(): Promise<void> {
+  private async ask(): Promise<void> {
     const requestNumber = ++this.requestNumber;
     const { file } = this;
     const data = file ? (await requestData(this.session, file, [])).data : null;

@@ -29,25 +29,25 @@ import { ChoiceRow, NumberRow, TextRow } from "./fields";
 import type { SetupPoints } from "./known_points";
 
 const words = texts.paths.form;
-const pointWords = texts.paths.machinePoint;
+const own = texts.paths.machinePoint;
 
 const textOf = ({ value, number, isHome }: AvailablePoint): string => {
-  if (isHome) return pointWords.home(number);
-  return typeof value === "string" ? pointWords.named(value, number) : String(number);
+  if (isHome) return own.home(number);
+  return typeof value === "string" ? own.named(value, number) : String(number);
 };
 
 export class MachinePointForm {
   readonly element: HTMLElement;
-  private at: { displayed: DisplayedPath; targetId: TargetId; target: MachinePoint } | null = null;
+  private at: { displayed: DisplayedPath; place: TargetId; target: MachinePoint } | null = null;
   private readonly error = new ErrorLine();
   private readonly name = new TextRow(words.name, (name) => this.change({ name: name || undefined }));
   private readonly kind = new ChoiceRow<MachinePointKind>(
-    pointWords.kind,
-    machinePointKinds.map((kind) => [kind, pointWords.kinds[kind]] as const),
+    own.kind,
+    machinePointKinds.map((kind) => [kind, own.kinds[kind]] as const),
     (kind) => this.change(firstPointOfKind(kind, this.known.points ?? noPoints)),
   );
-  private readonly pointRow = new ChoiceRow<string>(pointWords.which, [], (value) => this.choose(value));
-  private readonly pointId = new TextRow(pointWords.ident, (text) => this.setPointId(parsePointId(text.trim())));
+  private readonly pointRow = new ChoiceRow<string>(own.which, [], (value) => this.choose(value));
+  private readonly pointId = new TextRow(own.ident, (text) => this.setPointId(parsePointId(text.trim())));
   private readonly note = element("p", { class: "note", role: "status" });
   private readonly dwell = new NumberRow(words.numbers.dwell_s, "time", (dwell_s) => this.change({ dwell_s }));
   private readonly actions = new ActionList((actions) => this.change({ actions: actions.length > 0 ? actions : undefined }));
@@ -56,23 +56,23 @@ export class MachinePointForm {
     private readonly store: Store,
     private readonly session: Session,
     private readonly known: SetupPoints,
-    private readonly showMessage: (message: string) => void,
+    private readonly say: (sentence: string) => void,
   ) {
     const { error, name, kind, pointRow, pointId, note, dwell, actions } = this;
     const rows = [name, kind, pointRow, pointId].map((row) => row.element);
     this.element = element("div", { class: "form" }, error.element, ...rows, note, dwell.element, actions.element);
   }
 
-  show(displayed: DisplayedPath, targetId: TargetId, target: MachinePoint): void {
-    this.at = { displayed, targetId, target };
-    this.error.show(displayed, targetId);
+  show(displayed: DisplayedPath, place: TargetId, target: MachinePoint): void {
+    this.at = { displayed, place, target };
+    this.error.show(displayed, place);
     this.name.show(target.name ?? "");
     const [kind, pointId] = [machinePointKind(target), machinePointId(target)];
     this.kind.show(kind);
     const listedOptions = availablePoints(kind, this.known.points ?? noPoints);
     const match = findPoint(pointId, listedOptions, kind);
     const options = listedOptions.map((each) => [String(each.value), textOf(each)] as const);
-    this.pointRow.setOptions([...options, ["", pointWords.another] as const], match ? String(match.value) : "");
+    this.pointRow.setOptions([...options, ["", own.another] as const], match ? String(match.value) : "");
     this.pointId.show(String(pointId));
     this.note.textContent = match ? "" : this.missingPointNote(kind, pointId);
     this.note.hidden = this.note.textContent === "";
@@ -83,8 +83,8 @@ export class MachinePointForm {
   /** Returns why a point is missing that machine data should have. */
   private missingPointNote(kind: MachinePointKind, pointId: string | number): string {
     const { file, points } = this.known;
-    if (file === "") return pointWords.noData;
-    return points ? pointWords.noSuchPoint(shortName(file), pointWords.kinds[kind], pointId) : pointWords.unreadable(shortName(file));
+    if (file === "") return own.noData;
+    return points ? own.noSuchPoint(shortName(file), own.kinds[kind], pointId) : own.unreadable(shortName(file));
   }
 
   /** Sets a point; one that is not in the list is typed in. */
@@ -99,11 +99,11 @@ export class MachinePointForm {
 
   private change(change: MachinePointChange): void {
     if (!this.at) return;
-    const { displayed, targetId, target } = this.at;
+    const { displayed, place, target } = this.at;
     const error = targetError(removeUndefined({ ...target, ...change }));
-    this.showMessage(error ? words.refused(error) : "");
-    if (error) return this.show(displayed, targetId, target);
-    editPath(this.store, this.session, texts.paths.labels.changeMachinePoint, setTarget(displayed.text, targetId, change));
+    this.say(error ? words.refused(error) : "");
+    if (error) return this.show(displayed, place, target);
+    editPath(this.store, this.session, texts.paths.labels.changeMachinePoint, setTarget(displayed.text, place, change));
   }
 }
 

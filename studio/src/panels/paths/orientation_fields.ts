@@ -21,7 +21,7 @@ export class OrientationFields {
   readonly element: HTMLElement;
   private point: Point | null = null;
   private before: State = {};
-  private readonly kind = new ChoiceRow<Kind>(words.orientation, [], (kind) => this.changeKind(kind));
+  private readonly kind = new ChoiceRow<Kind>(words.orientation, [], (kind) => this.say(kind));
   private readonly axis = this.vector(words.toolAxis, "tool_axis", ["X", "Y", "Z"]);
   private readonly angles = this.vector(words.angles, "rpy_deg", words.rpy);
   private readonly host = element("div", {});
@@ -51,7 +51,7 @@ export class OrientationFields {
   show(point: Point, before: State): void {
     this.point = point;
     this.before = before;
-    const pointKind = orientationKind(point);
+    const own = orientationKind(point);
     const inherited = orientationKind(before);
     const listedOptions = orientationKinds.filter((kind) => kind !== "rotary_deg" || this.letters().length > 0);
     const unchangedOrientation = inherited ? words.unchangedOrientation(words.orientations[inherited]) : words.noOrientation;
@@ -59,8 +59,8 @@ export class OrientationFields {
       ["inherited", unchangedOrientation] as const,
       ...listedOptions.map((kind) => [kind, words.orientations[kind]] as const),
     ];
-    this.kind.setOptions(options, pointKind ?? "inherited");
-    const kind = pointKind ?? inherited;
+    this.kind.setOptions(options, own ?? "inherited");
+    const kind = own ?? inherited;
     this.axis.element.hidden = kind !== "tool_axis";
     this.angles.element.hidden = kind !== "rpy_deg";
     this.host.hidden = kind !== "rotary_deg";
@@ -88,17 +88,17 @@ export class OrientationFields {
   }
 
   /** Expresses the current orientation in another form. */
-  private changeKind(kind: Kind): void {
+  private say(kind: Kind): void {
     const { point, before } = this;
     if (!point) return;
     if (kind === "inherited") return this.change(noOrientation);
     const chain = this.chain();
     const now = orientationKind(point) ? point : before;
     const direction = toolDirection(now, chain) ?? new Vector3(0, 0, 1);
-    this.change({ ...noOrientation, [kind]: now[kind] ?? this.convert(kind, direction, chain) });
+    this.change({ ...noOrientation, [kind]: now[kind] ?? this.said(kind, direction, chain) });
   }
 
-  private convert(kind: OrientationKind, direction: Vector3, chain: Chain | null): Vector | Record<string, number> {
+  private said(kind: OrientationKind, direction: Vector3, chain: Chain | null): Vector | Record<string, number> {
     if (kind === "tool_axis") return roundedVector(direction.toArray() as Vector);
     if (kind === "rpy_deg") return roundedVector(toRpy(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), direction)));
     const home = Object.fromEntries(

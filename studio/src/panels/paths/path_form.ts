@@ -1,4 +1,4 @@
-// Properties of a path, and of a target that uses one.
+// Properties of a path, and of a place that uses one.
 
 import { element } from "../../core/dom";
 import type { JsonValue } from "../../core/json_text";
@@ -29,7 +29,7 @@ export class PathForm {
   constructor(
     private readonly store: Store,
     private readonly session: Session,
-    private readonly showMessage: (message: string) => void,
+    private readonly say: (sentence: string) => void,
   ) {
     this.element = element("div", { class: "form" }, this.name.element, this.setUp.element, this.root);
   }
@@ -47,7 +47,7 @@ export class PathForm {
     const isFree = findPathIndex(displayed.file, name) < 0;
     const error =
       name === "" || new TextEncoder().encode(name).length > MAX_NAME_LENGTH ? words.badName : isFree ? "" : texts.paths.errors.twice(name);
-    this.showMessage(error);
+    this.say(error);
     if (error) return this.show(displayed, path);
     editPath(this.store, this.session, labels.rename, renamePath(displayed.text, displayed.file, path, name));
   }
@@ -56,7 +56,7 @@ export class PathForm {
     if (!this.at) return;
     const { displayed, path } = this.at;
     const error = setupValuesError({ ...displayed.file.paths[path], ...change } as unknown as { [key: string]: JsonValue });
-    this.showMessage(error ? words.refused(error) : "");
+    this.say(error ? words.refused(error) : "");
     if (error) return this.show(displayed, path);
     editPath(this.store, this.session, labels.setUp, setPath(displayed.text, path, change));
   }
@@ -70,7 +70,7 @@ export class PathForm {
 
 export class SubPathForm {
   readonly element: HTMLElement;
-  private at: { displayed: DisplayedPath; targetId: TargetId; target: SubPath } | null = null;
+  private at: { displayed: DisplayedPath; place: TargetId; target: SubPath } | null = null;
   private readonly error = new ErrorLine();
   private readonly path = new ChoiceRow<string>(words.subPath, [], (path) => this.change({ path }));
   private readonly repeats = new NumberRow(words.repeats, "none", (repeats) => this.change({ repeats }));
@@ -80,14 +80,14 @@ export class SubPathForm {
   constructor(
     private readonly store: Store,
     private readonly session: Session,
-    private readonly showMessage: (message: string) => void,
+    private readonly say: (sentence: string) => void,
   ) {
     this.element = element("div", { class: "form" }, this.error.element, this.path.element, this.repeats.element, this.frame.element);
   }
 
-  show(displayed: DisplayedPath, targetId: TargetId, target: SubPath): void {
-    this.at = { displayed, targetId, target };
-    this.error.show(displayed, targetId);
+  show(displayed: DisplayedPath, place: TargetId, target: SubPath): void {
+    this.at = { displayed, place, target };
+    this.error.show(displayed, place);
     this.path.setOptions(displayed.file.paths.map(({ name }) => [name, name] as const), target.path);
     this.repeats.show({ value: target.repeats, inherited: 1 }, "mm");
     this.frame.element.hidden = !acceptsSetup(displayed.file, target);
@@ -96,10 +96,10 @@ export class SubPathForm {
 
   private change(change: SubPathChange): void {
     if (!this.at) return;
-    const { displayed, targetId, target } = this.at;
+    const { displayed, place, target } = this.at;
     const error = targetError({ ...target, ...change } as unknown as JsonValue);
-    this.showMessage(error ? words.refused(error) : "");
-    if (error) return this.show(displayed, targetId, target);
-    editPath(this.store, this.session, labels.change, setTarget(displayed.text, targetId, change));
+    this.say(error ? words.refused(error) : "");
+    if (error) return this.show(displayed, place, target);
+    editPath(this.store, this.session, labels.change, setTarget(displayed.text, place, change));
   }
 }

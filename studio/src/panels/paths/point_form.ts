@@ -38,7 +38,7 @@ const numbers: { key: NumberKey; quantity: Quantity; rare?: true }[] = [
 /** Point as used by forms: its data, its position, and the state before it. */
 export interface PointState {
   displayed: DisplayedPath;
-  targetId: TargetId;
+  place: TargetId;
   point: Point;
   before: State;
 }
@@ -65,7 +65,7 @@ export class PointForm {
   constructor(
     private readonly store: Store,
     private readonly session: Session,
-    private readonly showMessage: (message: string) => void,
+    private readonly say: (sentence: string) => void,
   ) {
     this.orientation = new OrientationFields(
       () => shownRobot(store)?.chain ?? null,
@@ -90,9 +90,9 @@ export class PointForm {
 
   show(at: PointState): void {
     this.at = at;
-    const { displayed, targetId, point, before } = at;
+    const { displayed, place, point, before } = at;
     const units = this.store.get("units");
-    this.error.show(displayed, targetId);
+    this.error.show(displayed, place);
     this.name.show(point.name ?? "");
     this.motion.show(pointMotion(point));
     this.position.show(point.position_mm, units);
@@ -108,15 +108,15 @@ export class PointForm {
     this.actions.show(point.actions ?? []);
   }
 
-  /** Sets members of the point; a change that makes it invalid is rejected with a message. */
+  /** Sets members of the point; a change that makes it invalid is refused with a message. */
   private change(change: PointChange): void {
     if (!this.at) return;
-    const { displayed, targetId, point } = this.at;
+    const { displayed, place, point } = this.at;
     const requested = { ...point, ...change } as unknown as JsonValue;
     const error = targetError(requested);
-    this.showMessage(error ? words.refused(error) : "");
+    this.say(error ? words.refused(error) : "");
     if (error) return this.show(this.at);
-    editPath(this.store, this.session, texts.paths.labels.change, setTarget(displayed.text, targetId, change));
+    editPath(this.store, this.session, texts.paths.labels.change, setTarget(displayed.text, place, change));
   }
 
   private setMotion(motion: MotionType): void {
@@ -127,12 +127,12 @@ export class PointForm {
 
   private setPosition(values: (number | undefined)[]): void {
     if (!this.at) return;
-    const { displayed, targetId, point } = this.at;
+    const { displayed, place, point } = this.at;
     const position_mm = point.position_mm.map((before, i) => values[i] ?? before) as Vector;
     const error = targetError({ ...point, position_mm } as unknown as JsonValue);
-    this.showMessage(error ? words.refused(error) : "");
+    this.say(error ? words.refused(error) : "");
     if (error || values.includes(undefined)) return this.show(this.at);
-    const text = movePoint(displayed.text, displayed.file, displayed.walk, targetId, position_mm);
+    const text = movePoint(displayed.text, displayed.file, displayed.walk, place, position_mm);
     editPath(this.store, this.session, texts.paths.labels.move, text);
   }
 }

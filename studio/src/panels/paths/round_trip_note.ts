@@ -21,7 +21,7 @@ export interface Origin {
 export class RoundTripNote {
   readonly element: HTMLElement;
   private readonly title = element("h3", { class: "heading" }, words.title);
-  private readonly status = element("p", { class: "round-trip", role: "status" });
+  private readonly said = element("p", { class: "round-trip", role: "status" });
   private readonly button = element("button", { type: "button", onclick: () => this.measure() }, words.compare);
   /** Run and path text of the values. */
   private of: { run: Run; text: string } | null = null;
@@ -31,7 +31,7 @@ export class RoundTripNote {
     private readonly store: Store,
     private readonly snapshotOf: (program: string) => Origin | null,
   ) {
-    this.element = element("div", {}, this.title, this.status, this.button);
+    this.element = element("div", {}, this.title, this.said, this.button);
     store.watch(["run", "running", "path"], () => this.show());
   }
 
@@ -44,11 +44,11 @@ export class RoundTripNote {
     const isOwn = origin !== null && origin.path === displayed?.name;
     const isKnown = this.of?.run === run && this.of?.text === displayed?.text;
     this.button.hidden = !run?.report || !displayed || displayed.error !== "" || isKnown || (isOwn && origin.text === displayed.text);
-    if (!run?.report || !displayed) this.showMessage("");
-    else if (store.get("running")) this.showMessage(words.running);
+    if (!run?.report || !displayed) this.tell("");
+    else if (store.get("running")) this.tell(words.running);
     else if (isKnown) this.showDeviations(program);
-    else if (!isOwn) this.showMessage(words.other(program));
-    else if (origin.text !== displayed.text) this.showMessage(words.changed(program));
+    else if (!isOwn) this.tell(words.other(program));
+    else if (origin.text !== displayed.text) this.tell(words.changed(program));
     else if (this.isVisible) this.measure();
   }
 
@@ -56,9 +56,9 @@ export class RoundTripNote {
     return this.element.checkVisibility?.() ?? true;
   }
 
-  private showMessage(message: string, isFar = false): void {
-    if (this.status.textContent !== message) this.status.textContent = message;
-    this.status.classList.toggle("fault", isFar);
+  private tell(sentence: string, isFar = false): void {
+    if (this.said.textContent !== sentence) this.said.textContent = sentence;
+    this.said.classList.toggle("fault", isFar);
   }
 
   private measure(): void {
@@ -73,9 +73,9 @@ export class RoundTripNote {
   private showDeviations(program: string): void {
     const { deviations } = this;
     const units = this.store.get("units");
-    if (!deviations) return this.showMessage(words.noWay(program));
+    if (!deviations) return this.tell(words.noWay(program));
     const { runDeviation_mm, pathDeviation_mm } = deviations;
     const text = words.figures(program, lengthText(runDeviation_mm, units), lengthText(pathDeviation_mm, units));
-    this.showMessage(this.of?.run.report?.status === "completed" ? text : words.unfinished(text), Math.max(runDeviation_mm, pathDeviation_mm) > MAX_DEVIATION_MM);
+    this.tell(this.of?.run.report?.status === "completed" ? text : words.unfinished(text), Math.max(runDeviation_mm, pathDeviation_mm) > MAX_DEVIATION_MM);
   }
 }

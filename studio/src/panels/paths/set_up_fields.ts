@@ -40,14 +40,14 @@ export class SetUpFields {
   }
 
   show(file: PathFile, path: number, units: Units): void {
-    const definition = file.paths[path];
-    this.fields.hidden = !acceptsSetup(file, definition);
+    const own = file.paths[path];
+    this.fields.hidden = !acceptsSetup(file, own);
     this.recorded.hidden = !isRecorded(file);
-    this.frame.show({ frame: definition, inherited: rootIndex(file) === path ? words.ofPost : words.ofUser, units });
-    this.tool.show({ value: definition.tool }, units);
-    this.length.element.hidden = this.diameter.element.hidden = definition.tool === undefined;
+    this.frame.show({ frame: own, inherited: rootIndex(file) === path ? words.ofPost : words.ofUser, units });
+    this.tool.show({ value: own.tool }, units);
+    this.length.element.hidden = this.diameter.element.hidden = own.tool === undefined;
     // The length offset of a tool has the number of the tool, unless another one is given.
-    this.length.show({ value: definition.length_offset, inherited: definition.tool }, units);
-    this.diameter.show({ value: definition.diameter_offset }, units);
+    this.length.show({ value: own.length_offset, inherited: own.tool }, units);
+    this.diameter.show({ value: own.diameter_offset }, units);
   }
 }

@@ -6,7 +6,7 @@ import { isSameTarget, type TargetId } from "../../run/path/path_file";
 
 /** Consecutive targets of a path; with a target of -1: the path itself. */
 export interface Range {
-  targetId: TargetId;
+  place: TargetId;
   count: number;
 }
 
@@ -19,7 +19,7 @@ export class TargetSelection {
   constructor(private readonly store: Store) {
     store.on("pathPoint", () => {
       if (!this.isSelecting) this.anchor = null;
-      this.notify();
+      this.tell();
     });
   }
 
@@ -28,7 +28,7 @@ export class TargetSelection {
     this.listeners.add(listener);
   }
 
-  private notify(): void {
+  private tell(): void {
     for (const listener of this.listeners) listener();
   }
 
@@ -40,27 +40,27 @@ export class TargetSelection {
   get range(): Range | null {
     const { point, anchor } = this;
     if (!point) return null;
-    if (!anchor || anchor.path !== point.path || anchor.target < 0 || point.target < 0) return { targetId: point, count: 1 };
+    if (!anchor || anchor.path !== point.path || anchor.target < 0 || point.target < 0) return { place: point, count: 1 };
     const [first, last] = [Math.min(point.target, anchor.target), Math.max(point.target, anchor.target)];
-    return { targetId: { path: point.path, target: first }, count: last - first + 1 };
+    return { place: { path: point.path, target: first }, count: last - first + 1 };
   }
 
   has({ path, target }: TargetId): boolean {
     const { range } = this;
-    return range?.targetId.path === path && target >= range.targetId.target && target < range.targetId.target + range.count;
+    return range?.place.path === path && target >= range.place.target && target < range.place.target + range.count;
   }
 
   /** `extended`: with all targets between it and the one that was chosen first. */
-  choose(targetId: TargetId, extended = false): void {
+  choose(place: TargetId, extended = false): void {
     this.anchor = extended ? (this.anchor ?? this.point) : null;
-    if (isSameTarget(targetId, this.point)) return this.notify();
+    if (isSameTarget(place, this.point)) return this.tell();
     this.isSelecting = true;
-    this.store.set("pathPoint", targetId);
+    this.store.set("pathPoint", place);
     this.isSelecting = false;
   }
 
-  selectRange({ targetId, count }: Range): void {
-    this.choose(targetId);
-    if (count > 1) this.choose({ path: targetId.path, target: targetId.target + count - 1 }, true);
+  selectRange({ place, count }: Range): void {
+    this.choose(place);
+    if (count > 1) this.choose({ path: place.path, target: place.target + count - 1 }, true);
   }
 }

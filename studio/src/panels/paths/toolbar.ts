@@ -46,12 +46,12 @@ export class PathToolbar {
 
   show(displayed: DisplayedPath | null): void {
     const { range } = this.chosen;
-    const isTarget = range !== null && range.targetId.target >= 0;
-    const count = displayed && range ? (displayed.file.paths[range.targetId.path]?.targets.length ?? 0) : 0;
+    const isTarget = range !== null && range.place.target >= 0;
+    const count = displayed && range ? (displayed.file.paths[range.place.path]?.targets.length ?? 0) : 0;
     this.buttons.duplicate.disabled = this.buttons.makeSubPath.disabled = !isTarget;
     this.buttons.remove.disabled = range === null;
-    this.buttons.up.disabled = !isTarget || range.targetId.target === 0;
-    this.buttons.down.disabled = !isTarget || range.targetId.target + range.count >= count;
+    this.buttons.up.disabled = !isTarget || range.place.target === 0;
+    this.buttons.down.disabled = !isTarget || range.place.target + range.count >= count;
     const names = displayed?.file.paths.map(({ name }) => name) ?? [];
     setOptions(this.uses, [["", words.use] as const, ...names.map((name) => [name, name] as const)], "");
   }

@@ -17,7 +17,7 @@ export interface TreeActions {
   /** Moves the selection by so many positions. */
   move(by: number): void;
   /** Moves the selection to the position of another target. */
-  moveTo(targetId: TargetId): void;
+  moveTo(place: TargetId): void;
   remove(): void;
   duplicate(): void;
 }
@@ -85,13 +85,13 @@ export class PathTree {
   }
 
   private fill(item: HTMLElement, row: TreeRow, i: number, displayed: DisplayedPath): void {
-    const isSelected = row.more === 0 && this.choice.has(row.targetId);
+    const isSelected = row.more === 0 && this.choice.has(row.place);
     item.setAttribute("aria-level", String(row.level));
     item.setAttribute("aria-selected", String(isSelected));
     if (row.below >= 0) item.setAttribute("aria-expanded", String(row.open));
     else item.removeAttribute("aria-expanded");
     item.tabIndex = i === this.current ? 0 : -1;
-    item.draggable = row.targetId.target >= 0 && row.more === 0;
+    item.draggable = row.place.target >= 0 && row.more === 0;
     item.className = ["row", row.motion ?? (row.more > 0 ? "more" : "path"), row.error ? "faulty" : ""].join(" ");
     item.title = row.error;
     item.style.setProperty("--level", String(row.level));
@@ -106,13 +106,13 @@ export class PathTree {
   }
 
   /** Returns number, kind and actions of a row. */
-  private rowTexts({ targetId, target, below }: TreeRow, { file, walk }: DisplayedPath): string[] {
+  private rowTexts({ place, target, below }: TreeRow, { file, walk }: DisplayedPath): string[] {
     if (!target) {
       const { name, targets } = file.paths[below];
       const isReferenced = walk.used.has(below);
       return ["", name, isReferenced ? words.targets(targets.length) : words.unused];
     }
-    const number = String(targetId.target + 1);
+    const number = String(place.target + 1);
     if (isSubPath(target)) return [number, target.path, target.repeats ? words.times(target.repeats) : ""];
     if (isMachinePoint(target))
       return [number, words.machinePoint(target.name ?? "", target.fixed ?? null, target.reference ?? 0), this.actionsText(target)];
@@ -121,8 +121,8 @@ export class PathTree {
 
   private nameOf({ name, motion, position_mm }: Point): string {
     const units = this.store.get("units");
-    const position = position_mm.map((each) => lengthNumber(each, units)).join("  ");
-    return `${words.signs[motion ?? "linear"]} ${name ? `${name}: ${position}` : position}`;
+    const place = position_mm.map((each) => lengthNumber(each, units)).join("  ");
+    return `${words.signs[motion ?? "linear"]} ${name ? `${name}: ${place}` : place}`;
   }
 
   private actionsText({ actions, dwell_s, ...motion }: Point | MachinePoint): string {
@@ -149,8 +149,8 @@ export class PathTree {
   }
 
   private select(row: TreeRow, extended: boolean): void {
-    if (row.more === 0) return this.choice.choose(row.targetId, extended);
-    this.state.expand(row.key.replace(/\/more$/, ""), row.targetId.target);
+    if (row.more === 0) return this.choice.choose(row.place, extended);
+    this.state.expand(row.key.replace(/\/more$/, ""), row.place.target);
     this.show(this.store.get("path"));
   }
 
@@ -174,7 +174,7 @@ export class PathTree {
   private step(by: number, extended: boolean): void {
     this.goTo(this.current + by);
     const row = this.rows[this.current];
-    if (row?.more === 0) this.choice.choose(row.targetId, extended);
+    if (row?.more === 0) this.choice.choose(row.place, extended);
   }
 
   private onKeyDown(event: KeyboardEvent): void {
@@ -217,7 +217,7 @@ export class PathTree {
   private onDragStart(event: DragEvent): void {
     const row = this.rows[this.eventRow(event)];
     if (!row || !event.dataTransfer) return;
-    if (!this.choice.has(row.targetId)) this.choice.choose(row.targetId);
+    if (!this.choice.has(row.place)) this.choice.choose(row.place);
     event.dataTransfer.setData("text/plain", row.key);
     event.dataTransfer.effectAllowed = "move";
   }
@@ -226,16 +226,16 @@ export class PathTree {
   private dropPosition(event: DragEvent): TargetId | null {
     const row = this.rows[this.eventRow(event)];
     const { range } = this.choice;
-    const isOwn = range && row?.more === 0 && row.targetId.path === range.targetId.path && row.targetId.target >= 0;
-    return isOwn ? row.targetId : null;
+    const isOwn = range && row?.more === 0 && row.place.path === range.place.path && row.place.target >= 0;
+    return isOwn ? row.place : null;
   }
 
   private dropped(event: DragEvent): void {
-    const targetId = this.dropPosition(event);
-    if (!targetId) return;
+    const place = this.dropPosition(event);
+    if (!place) return;
     event.preventDefault();
     // The dropped row is not a file to open.
     event.stopPropagation();
-    this.actions.moveTo(targetId);
+    this.actions.moveTo(place);
   }
 }

@@ -18,7 +18,7 @@ export interface TreeRow {
   /** Position in the tree: numbers of paths and targets. */
   key: string;
   level: number;
-  targetId: TargetId;
+  place: TargetId;
   /** Number of the path below it; -1: a point, or a path that does not exist. */
   below: number;
   open: boolean;
@@ -78,17 +78,17 @@ function* childRows(displayed: DisplayedPath, state: TreeState, parent: TreeRow,
   const { targets } = displayed.file.paths[parent.below];
   const { first, end } = state.window(parent.key);
   const more = (target: number, count: number) => {
-    const targetId = { path: parent.below, target };
-    return { ...defaultRow, key: `${parent.key}/more`, level: parent.level + 1, targetId, more: count };
+    const place = { path: parent.below, target };
+    return { ...defaultRow, key: `${parent.key}/more`, level: parent.level + 1, place, more: count };
   };
   // After targets were removed, a window may begin past the last one.
   const begin = Math.min(first, Math.max(targets.length - ROWS_PER_STEP, 0));
   if (begin > 0) yield more(begin - 1, begin);
   for (let target = begin; target < Math.min(targets.length, end); ++target) {
     const each = targets[target];
-    const targetId = { path: parent.below, target };
+    const place = { path: parent.below, target };
     const key = `${parent.key}/${target}`;
-    const row = { ...defaultRow, key, level: parent.level + 1, targetId, target: each, error: errors.get(targetKey(targetId)) ?? "" };
+    const row = { ...defaultRow, key, level: parent.level + 1, place, target: each, error: errors.get(targetKey(place)) ?? "" };
     if (!isSubPath(each)) {
       yield { ...row, motion: isPoint(each) ? pointMotion(each) : "rapid" };
       continue;
@@ -105,32 +105,32 @@ function* childRows(displayed: DisplayedPath, state: TreeState, parent: TreeRow,
 /** Returns all visible rows. */
 export function* visibleRows(displayed: DisplayedPath, state: TreeState): Generator<TreeRow> {
   const { file, walk } = displayed;
-  const errors = new Map(walk.errors.flatMap(({ targetId, text }) => (targetId ? [[targetKey(targetId), text] as const] : [])));
+  const errors = new Map(walk.errors.flatMap(({ place, text }) => (place ? [[targetKey(place), text] as const] : [])));
   const root = Math.max(rootIndex(file), 0);
   const topPaths = [root, ...file.paths.keys()].filter((path, i) => i === 0 || !walk.used.has(path));
   for (const path of topPaths) {
     if (!file.paths[path] || (path === root && topPaths.indexOf(path) > 0)) continue;
-    const targetId = { path, target: -1 };
+    const place = { path, target: -1 };
     const key = String(path);
-    const row = { ...defaultRow, key, level: 1, targetId, below: path, open: state.isOpen(key), error: errors.get(targetKey(targetId)) ?? "" };
+    const row = { ...defaultRow, key, level: 1, place, below: path, open: state.isOpen(key), error: errors.get(targetKey(place)) ?? "" };
     yield row;
     if (row.open) yield* childRows(displayed, state, row, errors);
   }
 }
 
-/** Opens the rows that hide a target, along the first route to it. */
-export function reveal({ file, walk }: DisplayedPath, state: TreeState, targetId: TargetId): void {
+/** Opens the rows that hide a place, along the first route to it. */
+export function reveal({ file, walk }: DisplayedPath, state: TreeState, place: TargetId): void {
   const root = Math.max(rootIndex(file), 0);
-  const route = findRoute(file, root, targetId.path, []) ?? (walk.used.has(targetId.path) ? null : []);
-  if (!route) return;
-  let key = String(route.length > 0 || targetId.path === root ? root : targetId.path);
+  const way = findRoute(file, root, place.path, []) ?? (walk.used.has(place.path) ? null : []);
+  if (!way) return;
+  let key = String(way.length > 0 || place.path === root ? root : place.path);
   let path = root;
-  for (const target of route) {
+  for (const target of way) {
     open(state, key, target);
     key += `/${target}`;
     path = findPathIndex(file, (file.paths[path].targets[target] as { path: string }).path);
   }
-  if (targetId.target >= 0) open(state, key, targetId.target);
+  if (place.target >= 0) open(state, key, place.target);
 }
 
 function open(state: TreeState, key: string, target: number): void {
@@ -139,8 +139,8 @@ function open(state: TreeState, key: string, target: number): void {
 }
 
 /** Returns the numbers of the targets that lead from one path to another; null: none. */
-function findRoute(file: DisplayedPath["file"], from: number, to: number, route: number[], seen = new Set<number>()): number[] | null {
-  if (from === to) return route;
+function findRoute(file: DisplayedPath["file"], from: number, to: number, way: number[], seen = new Set<number>()): number[] | null {
+  if (from === to) return way;
   if (seen.has(from)) return null;
   seen.add(from);
   const targets = file.paths[from]?.targets ?? [];
@@ -148,11 +148,11 @@ function findRoute(file: DisplayedPath["file"], from: number, to: number, route:
     const each = targets[i];
     if (!isSubPath(each)) continue;
     const below = findPathIndex(file, each.path);
-    const found = below < 0 ? null : findRoute(file, below, to, [...route, i], seen);
+    const found = below < 0 ? null : findRoute(file, below, to, [...way, i], seen);
     if (found) return found;
   }
   return null;
 }
 
-/** True if a row represents a target. */
-export const isRowForTarget = (row: TreeRow, targetId: TargetId | null): boolean => row.more === 0 && isSameTarget(row.targetId, targetId);
+/** True if a row represents a place. */
+export const isRowForTarget = (row: TreeRow, place: TargetId | null): boolean => row.more === 0 && isSameTarget(row.place, place);

@@ -36,7 +36,7 @@ const isPost = (text: string): boolean => /^\s*reads_as\s*=/m.test(text);
 const pathStem = (name: string): string => name.replace(/(\.path)?\.json$/i, "").replace(/^samples\//, "");
 
 /** Returns the name of a file in the same folder. */
-const siblingPath = (name: string, file: string): string => name.slice(0, name.lastIndexOf("/") + 1) + file;
+const beside = (name: string, file: string): string => name.slice(0, name.lastIndexOf("/") + 1) + file;
 
 export class WriteForm {
   readonly element: HTMLDetailsElement;
@@ -62,7 +62,7 @@ export class WriteForm {
   private readonly tolerance = new NumberRow(words.tolerance, "length", (tolerance_mm) => this.set({ tolerance_mm }));
   private readonly decimals = new NumberRow(words.decimals, "none", (decimals_mm) => this.set({ decimals_mm }));
   private readonly button = element("button", { type: "button", class: "primary", onclick: () => void this.write() }, words.write);
-  private readonly error = element("p", { class: "fault", role: "alert", hidden: true });
+  private readonly refused = element("p", { class: "fault", role: "alert", hidden: true });
   private readonly notes = element("ul", { class: "notes" });
   private readonly roundTrip: RoundTripNote;
 
@@ -82,7 +82,7 @@ export class WriteForm {
       rows(commonSwitches),
       element("details", {}, element("summary", {}, texts.paths.form.more), rows(rare), this.tolerance.element, this.decimals.element),
       this.button,
-      this.error,
+      this.refused,
       this.notes,
       this.roundTrip.element,
     );
@@ -103,8 +103,8 @@ export class WriteForm {
   /** Returns the built-in posts, and files that are posts. */
   private listedOptions(): [string, string][] {
     const { documents } = this.session;
-    const userPosts = documents.userFileNames().filter((name) => /\.toml$/i.test(name) && isPost(documents.text(name)));
-    return [...this.names, ...userPosts].map((name) => [name, shortName(name)]);
+    const own = documents.userFileNames().filter((name) => /\.toml$/i.test(name) && isPost(documents.text(name)));
+    return [...this.names, ...own].map((name) => [name, shortName(name)]);
   }
 
   /** Returns the language for reading programs of a post. */
@@ -146,21 +146,21 @@ export class WriteForm {
     const name = this.programName;
     const { choice } = this;
     this.button.disabled = true;
-    const result = await writeProgram(this.session, displayed.name, { ...choice, program_name: baseName(name).replace(/\.[^.]*$/, "") });
+    const made = await writeProgram(this.session, displayed.name, { ...choice, program_name: baseName(name).replace(/\.[^.]*$/, "") });
     this.button.disabled = false;
-    this.error.hidden = !("error" in result);
-    this.error.textContent = "error" in result ? result.error : "";
+    this.refused.hidden = !("refused" in made);
+    this.refused.textContent = "refused" in made ? made.refused : "";
     this.notes.replaceChildren();
-    if ("error" in result) return;
-    this.notes.append(...result.notes.map((note) => element("li", {}, note)));
+    if ("refused" in made) return;
+    this.notes.append(...made.notes.map((note) => element("li", {}, note)));
     this.written.set(name, { path: displayed.name, text: displayed.text });
-    this.keep(name, this.dialectOf(choice.post), result);
+    this.keep(name, this.dialectOf(choice.post), made);
     this.show(this.store.get("path"), this.units);
   }
 
   /** Stores the program as the one to run, and runs it. */
   private keep(name: string, dialect: string, { text, files }: WrittenProgram): void {
-    const others = Object.entries(files).map(([file, content]) => [siblingPath(name, file), content]);
+    const others = Object.entries(files).map(([file, content]) => [beside(name, file), content]);
     const documents = Object.fromEntries([[name, text], ...others]) as Record<string, string>;
     const setup = { program: name, dialect, robots: "" };
     this.session.history.edit(texts.paths.labels.write(name), { documents, setup });

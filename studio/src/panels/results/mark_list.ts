@@ -16,7 +16,7 @@ export interface Item {
   text: string;
   title: string;
   /** "line 12", "1:02.3" */
-  locationText: string;
+  place: string;
   choose(): void;
 }
 
@@ -24,7 +24,7 @@ export const markItem = (mark: Mark, store: Store): Item => ({
   kind: mark.kind,
   text: markText(mark, store.get("units")),
   title: mark.file ?? "",
-  locationText: [timeText(mark.t_s, 2), ...(mark.line === null ? [] : [texts.run.line(mark.line)])].join(" · "),
+  place: [timeText(mark.t_s, 2), ...(mark.line === null ? [] : [texts.run.line(mark.line)])].join(" · "),
   choose: () => goTo(store, mark, mark.t_s),
 });
 
@@ -32,7 +32,7 @@ const createRow = (item: Item): HTMLElement =>
   element(
     "li",
     { role: "option", "aria-selected": "false", title: item.title, class: `mark ${item.kind}` },
-    element("span", { class: "mark-place" }, item.locationText),
+    element("span", { class: "mark-place" }, item.place),
     element("span", { class: "mark-text" }, item.text),
   );
 

@@ -38,8 +38,8 @@ export function makeRows(
       Enter: () => choose(row),
       " ": () => choose(row),
     };
-    const rowAction = keys[event.key];
-    const act = rowAction ? () => rowAction(row) : actions[event.key];
+    const own = keys[event.key];
+    const act = own ? () => own(row) : actions[event.key];
     if (!act) return;
     event.preventDefault();
     act();

@@ -16,7 +16,7 @@ const diagnosticItem = (diagnostic: EngineDiagnostic, store: Store): Item => ({
   kind: diagnostic.severity,
   text: diagnostic.hint ? `${diagnostic.text}. ${diagnostic.hint}` : diagnostic.text,
   title: diagnostic.file,
-  locationText: diagnostic.line > 0 ? texts.run.line(diagnostic.line) : words.severities[diagnostic.severity],
+  place: diagnostic.line > 0 ? texts.run.line(diagnostic.line) : words.severities[diagnostic.severity],
   choose: () => goTo(store, { file: diagnostic.file || null, line: diagnostic.line || null }, null),
 });
 
@@ -32,26 +32,26 @@ function statusText(run: Run, report: Report | null): [text: string, severity: s
   const status = run.report?.status;
   if (!report || !status) return [words.nothing, ""];
   const alarm = report.alarm ?? run.report?.alarm;
-  if (status === "alarm") return [words.endedWithAlarm(alarm?.message ?? ""), "error"];
+  if (status === "alarm") return [words.has_alarm(alarm?.message ?? ""), "error"];
   if (status === "stopped") {
     const isPageLimit = alarm?.code === "run-limit" && /--max-blocks/.test(alarm.message) && run.storageKey === "";
     return [words.stopped(alarm?.message ?? "") + (isPageLimit ? ` ${words.longerRuns}` : ""), "error"];
   }
   const violations = report.violation_count ?? 0;
   const contacts = report.collisions?.length ?? 0;
-  const parts = [violations > 0 ? words.violated(violations) : words.completed];
-  parts.push(contacts > 0 ? words.collided(contacts) : contactText(report));
-  if (report.valid_until_s != null) parts.push(words.validUntil(timeText(report.valid_until_s, 1)));
-  return [parts.join(" "), violations + contacts > 0 ? "error" : "good"];
+  const said = [violations > 0 ? words.violated(violations) : words.completed];
+  said.push(contacts > 0 ? words.collided(contacts) : contactText(report));
+  if (report.valid_until_s != null) said.push(words.validUntil(timeText(report.valid_until_s, 1)));
+  return [said.join(" "), violations + contacts > 0 ? "error" : "good"];
 }
 
 export function createStatus(store: Store): HTMLElement {
   const bar = element("progress", { "aria-label": words.running });
   const done = element("span", { class: "done" });
   const running = element("div", { class: "running", role: "status" }, words.running, bar, done);
-  const statusElement = element("p", { class: "sentence", role: "status" });
+  const sentence = element("p", { class: "sentence", role: "status" });
   const of = element("p", { class: "of" });
-  const messageList = element("div", { class: "places" });
+  const places = element("div", { class: "places" });
 
   store.watch(["running"], () => {
     const state = store.get("running");
@@ -68,13 +68,13 @@ export function createStatus(store: Store): HTMLElement {
   store.watch(["run", "robot"], () => {
     const context = runContext(store);
     const [text, severity] = context ? statusText(context.run, context.report) : [words.nothing, ""];
-    statusElement.textContent = text;
+    sentence.textContent = text;
     const report = context?.run.report;
     of.textContent = report?.program ? words.ofProgram(report.program, context?.robot?.scene.machine ?? "") : "";
-    statusElement.className = `sentence ${severity}`;
+    sentence.className = `sentence ${severity}`;
     const diagnostics = context?.run.diagnostics ?? [];
     const items = diagnostics.map((one) => diagnosticItem(one, store));
-    messageList.replaceChildren(...(items.length > 0 ? [itemList(words.messages, items, 20)] : []));
+    places.replaceChildren(...(items.length > 0 ? [itemList(words.messages, items, 20)] : []));
   });
-  return element("div", { class: "status" }, running, of, statusElement, messageList);
+  return element("div", { class: "status" }, running, of, sentence, places);
 }

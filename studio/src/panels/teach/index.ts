@@ -36,10 +36,10 @@ class TeachPanel {
   private rows: JointRow[] = [];
   private readonly pad: TcpPad;
   private readonly pointRecorder: PointRecorder;
-  private readonly status = element("p", { class: "said", role: "status" });
+  private readonly said = element("p", { class: "said", role: "status" });
   private readonly checking = new Debounced(() => void this.check());
   private isVisible = false;
-  /** True if the status is about a contact. */
+  /** Whether that is what is said. */
   private touches = false;
 
   constructor(
@@ -53,11 +53,11 @@ class TeachPanel {
     });
     this.pointRecorder = new PointRecorder(store, session, this.state, {
       goTo: (point, state) => void this.goTo(point, state),
-      showMessage: (message) => this.showMessage(message),
+      say: (sentence) => this.say(sentence),
     });
     const fromRun = element("button", { type: "button", title: words.fromRunTitle, onclick: () => this.state.fromRun() }, words.fromRun);
     const head = element("div", { class: "head" }, this.steps.element, fromRun);
-    this.body = element("div", { class: "teach-body" }, head, this.joints, this.pad.element, this.status, this.pointRecorder.element);
+    this.body = element("div", { class: "teach-body" }, head, this.joints, this.pad.element, this.said, this.pointRecorder.element);
     this.element = element("div", { class: "teach" }, this.none, this.body);
     store.watch(["run", "robot"], () => this.updateRobot());
     store.watch(["jog", "units"], () => this.show());
@@ -76,9 +76,9 @@ class TeachPanel {
     this.store.set("showPath", false);
   }
 
-  private showMessage(message: string, isBad = false): void {
-    this.status.textContent = message;
-    this.status.classList.toggle("fault", isBad);
+  private say(sentence: string, isBad = false): void {
+    this.said.textContent = sentence;
+    this.said.classList.toggle("fault", isBad);
   }
 
   /** Another machine has other joints. */
@@ -88,7 +88,7 @@ class TeachPanel {
     if (!same) {
       this.rows = axes.map((axis, i) => new JointRow(axis, { set: (value) => this.set(i, value), step: (sense) => this.step(i, sense) }));
       this.joints.replaceChildren(...this.rows.map((row) => row.element));
-      this.showMessage("");
+      this.say("");
     }
     if (this.isVisible) this.state.begin();
     this.show();
@@ -113,7 +113,7 @@ class TeachPanel {
     const isWithin = this.state.setValue(axis, value);
     const [low, high] = axisRange(this.state.axes[axis]);
     const end = numberText(value < low ? low : high, rotary ? "angle" : "length", this.store.get("units"));
-    this.showMessage(isWithin ? "" : words.limit(letter, end), !isWithin);
+    this.say(isWithin ? "" : words.limit(letter, end), !isWithin);
   }
 
   private step(axis: number, sense: 1 | -1): void {
@@ -127,7 +127,7 @@ class TeachPanel {
    * Returns the engine's result for the current pose; null if the machine has changed, has moved or is not
    * shown any more.
    */
-  private async requestCurrentPose(requested: PoseRequest): Promise<Pose | string | null> {
+  private async ask(requested: PoseRequest): Promise<Pose | string | null> {
     const { robot } = this.state;
     const jog = this.store.get("jog");
     const pose = await requestPose(this.session, requested, this.state.tool_mm);
@@ -139,11 +139,11 @@ class TeachPanel {
   private async check(): Promise<void> {
     const { values } = this.state;
     if (!this.isVisible || values.length === 0) return;
-    const pose = await this.requestCurrentPose({ joints: values });
+    const pose = await this.ask({ joints: values });
     if (pose === null || typeof pose === "string") return;
     const touches = pose.collisions.length > 0;
-    if (touches) this.showMessage(words.touching(pose.collisions.map((pair) => pair.join(" – ")).join(", ")), true);
-    else if (this.touches) this.showMessage("");
+    if (touches) this.say(words.touching(pose.collisions.map((pair) => pair.join(" – ")).join(", ")), true);
+    else if (this.touches) this.say("");
     this.touches = touches;
   }
 
@@ -153,15 +153,15 @@ class TeachPanel {
    */
   private async moveToPose(requested: PoseRequest): Promise<void> {
     const { robot } = this.state;
-    const pose = await this.requestCurrentPose(requested);
+    const pose = await this.ask(requested);
     if (pose === null) {
-      if (this.isVisible && this.state.robot !== robot) this.showMessage(words.runWasReplaced, true);
+      if (this.isVisible && this.state.robot !== robot) this.say(words.runWasReplaced, true);
       return;
     }
-    if (typeof pose === "string") return this.showMessage(words.unreachable(pose), true);
+    if (typeof pose === "string") return this.say(words.unreachable(pose), true);
     const beyond = this.state.axes.filter((_, i) => pose.beyond[i] !== 0).map(({ letter }) => letter);
-    if (beyond.length > 0) return this.showMessage(words.beyond(beyond.join(", ")), true);
-    this.showMessage("");
+    if (beyond.length > 0) return this.say(words.beyond(beyond.join(", ")), true);
+    this.say("");
     this.state.setValues(pose.joints);
   }
 

@@ -13,8 +13,8 @@ export const axisRange = ({ min, max }: Axis): [number, number] => [min ?? -Infi
 export const clamped = (value: number, axis: Axis): number => Math.min(Math.max(value, axisRange(axis)[0]), axisRange(axis)[1]);
 
 export class JogState {
-  /** Joints stored while the form is not visible. */
-  private storedJoints: ArrayLike<number> | null = null;
+  /** Joints kept while the form is not visible. */
+  private kept: ArrayLike<number> | null = null;
   /** Machine that the moved joints belong to. */
   private machine = "";
   private isVisible = false;
@@ -36,7 +36,7 @@ export class JogState {
   /** Called when the form becomes visible: restores the last joints, else takes those of the run. */
   begin(): void {
     this.isVisible = true;
-    const now = this.store.get("jog") ?? this.storedJoints;
+    const now = this.store.get("jog") ?? this.kept;
     const { robot } = this;
     const machine = robot ? JSON.stringify([robot.name, robot.scene.machine, this.axes]) : "";
     const isSame = machine === this.machine;
@@ -47,7 +47,7 @@ export class JogState {
 
   end(): void {
     this.isVisible = false;
-    this.storedJoints = this.store.get("jog");
+    this.kept = this.store.get("jog");
     this.store.set("jog", null);
   }
 

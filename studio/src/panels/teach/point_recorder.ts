@@ -24,7 +24,7 @@ const FEED_MM_MIN = 1000;
 export interface RecordEvents {
   /** Moves the machine to a point, with the state there. */
   goTo(point: Point, state: State): void;
-  showMessage(message: string): void;
+  say(sentence: string): void;
 }
 
 export class PointRecorder {
@@ -61,7 +61,7 @@ export class PointRecorder {
     private readonly on: RecordEvents,
   ) {
     this.choice = new TargetSelection(store);
-    this.actions = new PathActions(store, session, this.choice, (message) => on.showMessage(message));
+    this.actions = new PathActions(store, session, this.choice, (sentence) => on.say(sentence));
     const step = (text: string, by: number) => element("button", { type: "button", onclick: () => this.goTo(by) }, text);
     this.steps = { previous: step(words.previous, -1), chosen: step(words.goTo, 0), next: step(words.next, 1) };
     this.element = element(
@@ -87,50 +87,50 @@ export class PointRecorder {
   }
 
   /** Returns the state at a point of the path; an empty state without a chosen one. */
-  private stateAt(targetId: TargetId | null): State {
+  private stateAt(place: TargetId | null): State {
     const displayed = this.store.get("path");
-    const target = displayed && targetId ? targetAt(displayed.file, targetId) : undefined;
-    if (!displayed || !targetId || !target || !isPoint(target)) return {};
-    return stateAfter(displayed.walk.before.get(targetKey(targetId)) ?? {}, target);
+    const target = displayed && place ? targetAt(displayed.file, place) : undefined;
+    if (!displayed || !place || !target || !isPoint(target)) return {};
+    return stateAfter(displayed.walk.before.get(targetKey(place)) ?? {}, target);
   }
 
   private show(): void {
     const { store } = this;
-    const [displayed, targetId] = [store.get("path"), store.get("pathPoint")];
+    const [displayed, place] = [store.get("path"), store.get("pathPoint")];
     const kinds: (readonly [Kind, string])[] = [["inherited", words.unchangedOrientation]];
     if (this.turns) kinds.unshift(["tool_axis", texts.paths.form.orientations.tool_axis], ["rotary_deg", texts.paths.form.orientations.rotary_deg]);
     this.kinds.setOptions(kinds, this.kind);
     this.motions.show(this.motion);
     this.feed.element.hidden = this.motion === "rapid";
-    this.feed.show({ value: this.feed_mm_min, inherited: this.stateAt(targetId).feed_mm_min ?? FEED_MM_MIN }, store.get("units"));
-    this.positionNote.textContent = this.positionText(targetId);
+    this.feed.show({ value: this.feed_mm_min, inherited: this.stateAt(place).feed_mm_min ?? FEED_MM_MIN }, store.get("units"));
+    this.positionNote.textContent = this.positionText(place);
     this.button.disabled = this.machine.axes.length === 0 || Boolean(displayed?.error);
     for (const [name, by] of [["previous", -1], ["chosen", 0], ["next", 1]] as const) {
       this.steps[name].disabled = this.machine.axes.length === 0 || !this.neighbourPoint(by);
     }
   }
 
-  private positionText(targetId: TargetId | null): string {
+  private positionText(place: TargetId | null): string {
     const displayed = this.store.get("path");
     if (!displayed) return words.newFileNote;
-    const path = targetId && displayed.file.paths[targetId.path];
+    const path = place && displayed.file.paths[place.path];
     if (!path) return words.atEndOf(baseName(displayed.name));
-    return words.behind(path.name, targetId.target + 1, baseName(displayed.name));
+    return words.behind(path.name, place.target + 1, baseName(displayed.name));
   }
 
-  private neighbourPoint(by: number): { targetId: TargetId; point: Point } | null {
-    const [displayed, targetId] = [this.store.get("path"), this.store.get("pathPoint")];
-    if (!displayed || !targetId) return null;
-    const requested = { path: targetId.path, target: targetId.target + by };
+  private neighbourPoint(by: number): { place: TargetId; point: Point } | null {
+    const [displayed, place] = [this.store.get("path"), this.store.get("pathPoint")];
+    if (!displayed || !place) return null;
+    const requested = { path: place.path, target: place.target + by };
     const target = targetAt(displayed.file, requested);
-    return target && isPoint(target) ? { targetId: requested, point: target } : null;
+    return target && isPoint(target) ? { place: requested, point: target } : null;
   }
 
   private goTo(by: number): void {
     const found = this.neighbourPoint(by);
     if (!found) return;
-    this.store.set("pathPoint", found.targetId);
-    this.on.goTo(found.point, this.stateAt(found.targetId));
+    this.store.set("pathPoint", found.place);
+    this.on.goTo(found.point, this.stateAt(found.place));
   }
 
   /** Returns the orientation as it is to be recorded. */
@@ -143,7 +143,7 @@ export class PointRecorder {
 
   private record(): void {
     const here = currentPoint(this.store);
-    if (!here) return this.on.showMessage(texts.run.notHere);
+    if (!here) return this.on.say(texts.run.notHere);
     const { position_mm, tool_axis } = here;
     const { motion } = this;
     const before = this.stateAt(this.store.get("pathPoint"));
@@ -152,6 +152,6 @@ export class PointRecorder {
     const point = { motion, position_mm, ...this.orientation(tool_axis), feed_mm_min: feed_mm_min === before.feed_mm_min ? undefined : feed_mm_min };
     if (this.store.get("path")) this.actions.addPoint(point, words.labels.record);
     else createFile(this.store, this.session, point);
-    this.on.showMessage(words.recorded);
+    this.on.say(words.recorded);
   }
 }

@@ -11,10 +11,10 @@ const angles_deg = [0.01, 0.1, 1, 10, 90];
 
 export class StepSizes {
   readonly element: HTMLElement;
-  private lengthIndex = 3;
+  private place = 3;
   private angle_deg = 10;
   private units: Units = "mm";
-  private readonly length = choice(words.stepLength, [], "", (value) => (this.lengthIndex = Number(value)));
+  private readonly length = choice(words.stepLength, [], "", (value) => (this.place = Number(value)));
   private readonly angle = choice(
     words.stepAngle,
     angles_deg.map((each) => [String(each), `${each}°`] as const),
@@ -29,11 +29,11 @@ export class StepSizes {
   show(units: Units): void {
     this.units = units;
     const options = lengths[units].map((each, i) => [String(i), `${each} ${lengthUnit(units)}`] as const);
-    setOptions(this.length, options, String(this.lengthIndex));
+    setOptions(this.length, options, String(this.place));
   }
 
   get step_mm(): number {
-    return toMm(lengths[this.units][this.lengthIndex], this.units);
+    return toMm(lengths[this.units][this.place], this.units);
   }
 
   get step_deg(): number {

@@ -32,9 +32,9 @@ export class TcpPad {
 
   constructor(on: TcpPadEvents) {
     const pair = (into: HTMLButtonElement[], name: string, act: (sense: 1 | -1) => Promise<void>) => {
-      const stepButtons = [holdButton("−", `${name} −`, () => act(-1)), holdButton("+", `${name} +`, () => act(1))];
-      into.push(...stepButtons);
-      return element("td", {}, ...stepButtons);
+      const made = [holdButton("−", `${name} −`, () => act(-1)), holdButton("+", `${name} +`, () => act(1))];
+      into.push(...made);
+      return element("td", {}, ...made);
     };
     const heads = ["", words.tip, "", words.toolAxis, words.turn].map((head) => element("th", { scope: "col" }, head));
     heads[1].append(" ", this.unit);

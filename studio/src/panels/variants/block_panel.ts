@@ -44,12 +44,12 @@ function blockSummaryRows(robot: Robot, block: number, units: State["units"]): [
 
 export class BlockPanel {
   readonly element: HTMLElement;
-  private readonly location = element("p", { class: "place" });
+  private readonly place = element("p", { class: "place" });
   private readonly passes = element("div", { class: "passes" });
   private readonly facts = element("dl", { class: "figures" });
   private readonly modal = element("p", { class: "modal", role: "status" });
   private readonly make: HTMLButtonElement;
-  private requestNumber = 0;
+  private asked = 0;
 
   constructor(
     private readonly store: Store,
@@ -59,7 +59,7 @@ export class BlockPanel {
     const attributes = { type: "button", title: words.makeHint, onclick: () => this.from && makeVariant(this.from) };
     this.make = element("button", attributes, words.make);
     const title = element("h3", { class: "heading" }, words.title);
-    this.element = element("section", { class: "variant-here" }, title, this.location, this.passes, this.facts, this.modal, this.make);
+    this.element = element("section", { class: "variant-here" }, title, this.place, this.passes, this.facts, this.modal, this.make);
   }
 
   /** Returns the chosen block, or for a chosen line its block at the shown instant; -1: none. */
@@ -87,10 +87,10 @@ export class BlockPanel {
     const hasBlock = block >= 0 && robot !== undefined && !isLong;
     this.make.hidden = this.passes.hidden = this.facts.hidden = !hasBlock;
     this.modal.textContent = "";
-    ++this.requestNumber;
-    if (!selection) return void (this.location.textContent = words.choose);
+    ++this.asked;
+    if (!selection) return void (this.place.textContent = words.choose);
     const at = words.at(shortName(selection.file), selection.line);
-    this.location.textContent = hasBlock ? at : `${at}. ${isLong ? words.tooLong : words.never}`;
+    this.place.textContent = hasBlock ? at : `${at}. ${isLong ? words.tooLong : words.never}`;
     void this.showModal(selection.file, selection.line);
     if (!hasBlock) return;
     this.showPasses(robot, block);
@@ -123,9 +123,9 @@ export class BlockPanel {
   }
 
   private async showModal(file: string, line: number): Promise<void> {
-    const { requestNumber } = this;
+    const { asked } = this;
     const found = await this.session.activeSettingsAt(file, line);
-    if (requestNumber === this.requestNumber) this.modal.replaceChildren(...modalText(found));
+    if (asked === this.asked) this.modal.replaceChildren(...modalText(found));
   }
 }
 

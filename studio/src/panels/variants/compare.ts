@@ -36,7 +36,7 @@ export class Compare {
     }),
   );
   private readonly both: { row: HTMLLabelElement; box: HTMLInputElement };
-  private readonly status = element("div", { class: "said", role: "status" });
+  private readonly said = element("div", { class: "said", role: "status" });
   private readonly search: HTMLInputElement;
   private readonly count = element("p", { class: "note", role: "status" });
   private readonly rows: DifferenceRows;
@@ -49,7 +49,7 @@ export class Compare {
   /** Inputs of the differences, as a text. */
   private comparedKey = "";
   private differences: Differences | null = null;
-  private maxRows = INITIAL_ROWS;
+  private most = INITIAL_ROWS;
   private shows = false;
 
   constructor(
@@ -69,7 +69,7 @@ export class Compare {
       element("h3", { class: "heading" }, words.compare),
       element("div", { class: "pair" }, ...this.choices.map((each, i) => element("label", {}, [words.first, words.second][i], each))),
       this.both.row,
-      this.status,
+      this.said,
       this.results,
     );
     store.on("run", () => this.updateComparisonView());
@@ -107,16 +107,16 @@ export class Compare {
     const { pair } = this;
     this.differences = null;
     this.results.hidden = true;
-    if (!pair) return this.status.replaceChildren(...this.missingResultReasons().map(note));
+    if (!pair) return this.said.replaceChildren(...this.missingResultReasons().map(note));
     const robot = this.store.get("robot");
     const [a, b] = pair.map(({ run }) => ({ run, robot: run.robots[robot] }));
     const missingRun = pair.find(({ run }) => !run.robots[robot]);
-    if (missingRun) return this.status.replaceChildren(note(words.noRobot(missingRun.variant.name, robot + 1)));
+    if (missingRun) return this.said.replaceChildren(note(words.noRobot(missingRun.variant.name, robot + 1)));
     const from = pair[1].variant.from ?? pair[0].variant.from;
     const differences = new Differences(a, b, from);
     const namedComparison = { differences, names: this.chosen };
-    const messageElements = comparisonMessages(namedComparison).map((text, i) => element("p", { class: i === 0 ? "great" : "" }, text));
-    this.status.replaceChildren(...messageElements, ...comparisonNotes(namedComparison).map(note));
+    const sentences = comparisonMessages(namedComparison).map((text, i) => element("p", { class: i === 0 ? "great" : "" }, text));
+    this.said.replaceChildren(...sentences, ...comparisonNotes(namedComparison).map(note));
     this.differences = differences;
     this.results.hidden = !differences.reachesStart;
     this.showRows(INITIAL_ROWS);
@@ -132,18 +132,18 @@ export class Compare {
   }
 
   private showMore(): void {
-    this.showRows(2 * this.maxRows);
+    this.showRows(2 * this.most);
   }
 
-  private showRows(maxRows: number): void {
+  private showRows(most: number): void {
     if (!this.differences) return;
-    this.maxRows = maxRows;
-    const { rows, count } = this.differences.rows(maxRows, this.search.value);
+    this.most = most;
+    const { rows, count } = this.differences.rows(most, this.search.value);
     this.rows.show(rows, this.differences, this.chosen);
     const nothing = this.search.value.trim() ? words.noMatch : words.noRows;
     this.count.textContent = count > 0 ? words.rowCount(countText(rows.length), countText(count)) : nothing;
     this.more.hidden = rows.length >= count;
-    this.more.textContent = texts.panels.more(Math.min(maxRows, count - rows.length));
+    this.more.textContent = texts.panels.more(Math.min(most, count - rows.length));
   }
 
   /**

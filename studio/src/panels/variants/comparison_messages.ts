@@ -51,9 +51,9 @@ function largestDifferenceMessages(differences: Differences): string[] {
   const timeChange_s = ({ times_s }: Row) => times_s[1] - times_s[0];
   // The limit of the slower run is the cause of the difference.
   const slowerRunLimit = ({ blocks }: Row) => limitInRun(differences, differences.total_s < 0 ? 0 : 1, blocks[differences.total_s < 0 ? 0 : 1]);
-  const largestRows = rows.map((row) => words.place(row.line, passText(row), signedTime(timeChange_s(row)), slowerRunLimit(row))).join(", ");
+  const places = rows.map((row) => words.place(row.line, passText(row), signedTime(timeChange_s(row)), slowerRunLimit(row))).join(", ");
   const sum_s = rows.reduce((sum, row) => sum + timeChange_s(row), 0);
-  return [words.most(largestRows, percentText(Math.abs(sum_s), Math.abs(differences.total_s)))];
+  return [words.most(places, percentText(Math.abs(sum_s), Math.abs(differences.total_s)))];
 }
 
 function betweenBlocksMessages({ total_s, blockDifference_s }: Differences): string[] {

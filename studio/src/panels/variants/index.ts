@@ -14,7 +14,7 @@ import { texts } from "../../texts";
 import type { PanelForm } from "../form";
 import { itemList, markItem } from "../results/mark_list";
 import { Compare } from "./compare";
-import { SelectedVariantsFile } from "./data/selected_variants_file";
+import { ListFile } from "./data/list_file";
 import { Results, isCurrent } from "./data/results";
 import { Runner } from "./data/runner";
 import type { StartBlock, Variant } from "./data/variants_file";
@@ -33,7 +33,7 @@ const button = (text: string, title: string, act: () => void): HTMLButtonElement
 
 class VariantsPanel implements PanelForm {
   readonly element: HTMLElement;
-  private readonly file: SelectedVariantsFile;
+  private readonly file: ListFile;
   private readonly results: Results;
   private readonly runner: Runner;
   private readonly files = choice(words.files, [], "", (name) => this.file.choose(name));
@@ -59,7 +59,7 @@ class VariantsPanel implements PanelForm {
     private readonly store: Store,
     private readonly session: Session,
   ) {
-    this.file = new SelectedVariantsFile(store, session);
+    this.file = new ListFile(store, session);
     this.results = new Results(session);
     this.runner = new Runner(session, this.results, () => this.showRunning());
     this.fields = new Fields(session, {
@@ -99,8 +99,8 @@ class VariantsPanel implements PanelForm {
       if (setup && this.variants.some((variant) => isSameSetup(variant.setup, setup))) this.results.accept(run);
       refresh();
     });
-    store.on("isBlockPanelRequested", (isRequested) => {
-      if (!isRequested) return;
+    store.on("isBlockPanelRequested", (isAsked) => {
+      if (!isAsked) return;
       store.set("isBlockPanelRequested", false);
       this.blockPanel.reveal();
     });

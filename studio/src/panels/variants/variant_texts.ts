@@ -22,21 +22,21 @@ export const startText = ({ line, pass }: StartBlock): string => words.from(line
  */
 function setupText(setup: Readonly<Setup>, first: Readonly<Setup>): string[] {
   const base = setup === first ? emptySetup() : first;
-  const parts: string[] = [];
+  const said: string[] = [];
   for (const key of ["program", "machine", "controller", "cell", "machine_data", "robots", "dialect"] as const) {
     if (setup[key] === base[key]) continue;
     const none = key === "machine" ? words.builtInMachine : `${words.of[key].toLowerCase()} ${words.none}`;
-    parts.push(setup[key] ? shortName(setup[key]) : none);
+    said.push(setup[key] ? shortName(setup[key]) : none);
   }
-  for (const key of overrideKeys) if (setup[key] !== base[key]) parts.push(`${words.short[key]} ${setup[key]} %`);
-  if (setup.collisions !== base.collisions) parts.push(setup.collisions ? words.of.collisions.toLowerCase() : words.collisionsOff);
-  return parts;
+  for (const key of overrideKeys) if (setup[key] !== base[key]) said.push(`${words.short[key]} ${setup[key]} %`);
+  if (setup.collisions !== base.collisions) said.push(setup.collisions ? words.of.collisions.toLowerCase() : words.collisionsOff);
+  return said;
 }
 
 /** Returns the differences of a variant from the first one. */
 export function variantText({ setup, from }: Variant, first: Variant): string {
-  const parts = [...setupText(setup, first.setup), ...(from ? [startText(from)] : [])];
-  return parts.join(", ") || words.as;
+  const said = [...setupText(setup, first.setup), ...(from ? [startText(from)] : [])];
+  return said.join(", ") || words.as;
 }
 
 /** Returns the status of a run and its severity. */
@@ -48,21 +48,21 @@ export function statusText(standing: VariantStatus): [text: string, severity: ""
     case "earlier":
       return [words.standing.earlier(standing.files.map(shortName)), ""];
     case "failed":
-      return [words.standing.failed(standing.message), "error"];
+      return [words.standing.failed(standing.why), "error"];
     default:
       return errorText(standing.run, standing.is === "stopped");
   }
 }
 
 function errorText(run: Run, stopped: boolean): [string, "error" | "good"] {
-  const parts: string[] = [];
+  const said: string[] = [];
   const reports = run.robots.length > 0 ? run.robots.map((_, i) => run.reportOf(i)) : [run.report];
   const count = (of: (report: NonNullable<Run["report"]>) => number) => reports.reduce((sum, report) => sum + (report ? of(report) : 0), 0);
   const [contacts, violations] = [count(({ collisions }) => collisions?.length ?? 0), count((report) => report.violation_count ?? 0)];
-  if (stopped) parts.push(words.standing.stopped(run.report?.alarm?.message ?? run.report?.status ?? ""));
-  if (contacts > 0) parts.push(words.standing.collisions(contacts));
-  if (violations > 0) parts.push(words.standing.violations(violations));
-  return parts.length > 0 ? [parts.join(", "), "error"] : [words.standing.good, "good"];
+  if (stopped) said.push(words.standing.stopped(run.report?.alarm?.message ?? run.report?.status ?? ""));
+  if (contacts > 0) said.push(words.standing.collisions(contacts));
+  if (violations > 0) said.push(words.standing.violations(violations));
+  return said.length > 0 ? [said.join(", "), "error"] : [words.standing.good, "good"];
 }
 
 /** Returns the time from the start of the count to the end of the run, s; null: the run never reaches it. */

@@ -68,9 +68,9 @@ class Leads {
   }
 
   add(first: number, count: number): string | { error: string } {
-    const inside = ({ targetId }: Motion) => targetId.path === this.path && targetId.target >= first && targetId.target < first + count;
+    const inside = ({ place }: Motion) => place.path === this.path && place.target >= first && place.target < first + count;
     const cuts = this.walk.motions.filter((motion) => inside(motion) && isCut(motion));
-    cuts.sort((a, b) => a.targetId.target - b.targetId.target);
+    cuts.sort((a, b) => a.place.target - b.place.target);
     if (cuts.length === 0) return { error: words.noCut };
     // The lead-out comes first, so that target numbers stay valid.
     if (this.choice.out) this.leadOut(cuts.at(-1)!);
@@ -78,12 +78,12 @@ class Leads {
     return this.text;
   }
 
-  private targetId(target: number): TargetId {
+  private place(target: number): TargetId {
     return { path: this.path, target };
   }
 
-  private before({ targetId }: Motion): State {
-    return this.walk.before.get(targetKey(targetId)) ?? {};
+  private before({ place }: Motion): State {
+    return this.walk.before.get(targetKey(place)) ?? {};
   }
 
   private sideDirection(along: Vector, up: Vector): Vector {
@@ -95,7 +95,7 @@ class Leads {
   private shift(from: number, step: 1 | -1, at: Vector, by: Vector, up: Vector): void {
     for (let i = from; isAbove(this.targets[i], at, up); i += step) {
       const { position_mm } = this.targets[i] as Point;
-      this.text = setTarget(this.text, this.targetId(i), { position_mm: roundedVector(add(position_mm, by)) });
+      this.text = setTarget(this.text, this.place(i), { position_mm: roundedVector(add(position_mm, by)) });
     }
   }
 
@@ -105,11 +105,11 @@ class Leads {
     const along = directionAt(cut, 0)!;
     const lateral = this.sideDirection(along, up);
     const start = leadEnd(at, along, lateral, this.choice, -1);
-    const { target } = cut.targetId;
-    const { feed_mm_min } = pointAt(this.file, cut.targetId)!;
+    const { target } = cut.place;
+    const { feed_mm_min } = pointAt(this.file, cut.place)!;
     const lead = { ...leadPoint(at, at, along, lateral, this.choice), feed_mm_min };
     // A cut that continues from another path is left, and begun again.
-    const isContinued = !isSameTarget(cut.after, this.targetId(target - 1));
+    const isContinued = !isSameTarget(cut.after, this.place(target - 1));
     if (!isContinued) this.shift(target - 1, -1, at, subtract(start, at), up);
     const added: Point[] = isContinued ? [{ motion: "rapid", position_mm: start }, lead] : [lead];
     this.text = insertTargets(this.text, this.path, target, added);
@@ -117,16 +117,16 @@ class Leads {
 
   private leadOut(cut: Motion): void {
     const at = cut.to_mm;
-    const point = pointAt(this.file, cut.targetId)!;
+    const point = pointAt(this.file, cut.place)!;
     const up = upDirection(stateAfter(this.before(cut), point));
     const along = directionAt(cut, 1)!;
     const lateral = this.sideDirection(along, up);
     const end = leadEnd(at, along, lateral, this.choice, 1);
     const { actions, dwell_s } = point;
     const lead = { ...leadPoint(end, at, along, lateral, this.choice), dwell_s, actions };
-    const { target } = cut.targetId;
+    const { target } = cut.place;
     this.shift(target + 1, 1, at, subtract(end, at), up);
-    this.text = setTarget(this.text, cut.targetId, { dwell_s: undefined, actions: undefined });
+    this.text = setTarget(this.text, cut.place, { dwell_s: undefined, actions: undefined });
     this.text = insertTargets(this.text, this.path, target + 1, [lead]);
   }
 }

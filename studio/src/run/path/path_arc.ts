@@ -87,10 +87,10 @@ export function arcDirection(arc: Arc, share: number): Vector {
 /**
  * Returns points of an arc, without its start, so that the chords between them deviate by no more than this.
  */
-export function sampleArc(arc: Arc, deviation_mm: number, maxCount = 20_000): Vector[] {
+export function sampleArc(arc: Arc, deviation_mm: number, most = 20_000): Vector[] {
   const radius_mm = Math.max(vectorLength(arc.first), arc.endRadius_mm);
   const step_rad = 2 * Math.acos(Math.max(1 - deviation_mm / radius_mm, 0.5));
-  const count = Math.min(Math.max(Math.ceil(arc.turn_rad / step_rad), 2), maxCount);
+  const count = Math.min(Math.max(Math.ceil(arc.turn_rad / step_rad), 2), most);
   return Array.from({ length: count }, (_, i) => arcPoint(arc, (i + 1) / count));
 }
 

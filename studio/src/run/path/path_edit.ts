@@ -60,18 +60,18 @@ function targetKeys(target: Target): readonly string[] {
 }
 
 /** Sets or removes members of a target, one after another. */
-export const setTarget = (text: string, targetId: TargetId, change: PointChange | SubPathChange | MachinePointChange): string =>
-  changeValue(text, targetJsonPath(targetId), (target) => setMembers(target, change, targetKeys(readJson(target) as unknown as Target)));
+export const setTarget = (text: string, place: TargetId, change: PointChange | SubPathChange | MachinePointChange): string =>
+  changeValue(text, targetJsonPath(place), (target) => setMembers(target, change, targetKeys(readJson(target) as unknown as Target)));
 
 /** Sets or removes the work frame and the tool of a path. */
 export const setPath = (text: string, path: number, change: SetUpChange): string =>
-  changeValue(text, ["paths", path], (value) => setMembers(value, change, pathKeys));
+  changeValue(text, ["paths", path], (own) => setMembers(own, change, pathKeys));
 
 /** Inserts targets before one of a path, by its number; if that does not exist, at the end. */
 export const insertTargets = (text: string, path: number, before: number, targets: Target[]): string =>
   insertItems(text, targetsPath(path), before, targets as unknown as JsonValue[]);
 
-/** Inserts targets after another one; for the path itself, at its end. */
+/** Inserts targets after a place; for the path itself, at its end. */
 export const addTargets = (text: string, file: PathFile, { path, target }: TargetId, targets: Target[]): string =>
   insertTargets(text, path, target < 0 ? file.paths[path].targets.length : target + 1, targets);
 
@@ -103,13 +103,13 @@ export function freeName(file: PathFile, requested: string): string {
 const pathText = (name: string, targets: string[]): string =>
   `{"name": ${JSON.stringify(name)}, "targets": [\n${targets.map((target) => `  ${target}`).join(",\n")}\n]}`;
 
-/** Makes some targets a path of its own at the end of the file, and uses it instead of them. */
-export function makeSubPath(text: string, file: PathFile, targetId: TargetId, count: number, name: string): string {
-  const { path, target } = targetId;
-  const subPath = pathText(name, itemTexts(text, targetsPath(path), target, count));
-  const replaced = replaceValue(text, targetJsonPath(targetId), { path: name });
+/** Makes some targets a path of its own at the end of the file, and uses it in their place. */
+export function makeSubPath(text: string, file: PathFile, place: TargetId, count: number, name: string): string {
+  const { path, target } = place;
+  const made = pathText(name, itemTexts(text, targetsPath(path), target, count));
+  const replaced = replaceValue(text, targetJsonPath(place), { path: name });
   const without = count > 1 ? removeItems(replaced, targetsPath(path), target + 1, count - 1) : replaced;
-  return insertTexts(without, ["paths"], file.paths.length, [subPath]);
+  return insertTexts(without, ["paths"], file.paths.length, [made]);
 }
 
 /** Removes a path that nothing uses. */
@@ -119,7 +119,7 @@ export function removePath(text: string, file: PathFile, path: number): string {
     : text;
 }
 
-/** Returns the targets that use a path. */
+/** Returns the places that use a path. */
 export const referencesTo = (file: PathFile, name: string): TargetId[] =>
   file.paths.flatMap(({ targets }, path) =>
     targets.flatMap((each, target) => (isSubPath(each) && each.path === name ? [{ path, target }] : [])),
@@ -129,7 +129,7 @@ export const referencesTo = (file: PathFile, name: string): TargetId[] =>
 export function renamePath(text: string, file: PathFile, path: number, name: string): string {
   const before = file.paths[path].name;
   let changed = replaceValue(text, ["paths", path, "name"], name);
-  for (const targetId of referencesTo(file, before)) changed = setTarget(changed, targetId, { path: name });
+  for (const place of referencesTo(file, before)) changed = setTarget(changed, place, { path: name });
   return file.root === before ? setRoot(changed, name) : changed;
 }
 
@@ -145,17 +145,17 @@ export const newPathFile = (name: string, point: Point): string =>
  * Moves a point. Arcs about a centre that begin or end there, and do not fit any more, become arcs through
  * the middle of the old ones.
  */
-export function movePoint(text: string, file: PathFile, walk: PathTraversal, targetId: TargetId, position_mm: Vector): string {
+export function movePoint(text: string, file: PathFile, walk: PathTraversal, place: TargetId, position_mm: Vector): string {
   const to = roundedVector(position_mm);
-  let changed = setTarget(text, targetId, { position_mm: to });
-  for (const { targetId: arcTargetId, after, from_mm, to_mm, arc } of walk.motions) {
-    const [ends, begins] = [isSameTarget(arcTargetId, targetId), isSameTarget(after, targetId)];
-    const point = pointAt(file, arcTargetId);
+  let changed = setTarget(text, place, { position_mm: to });
+  for (const { place: arcPlace, after, from_mm, to_mm, arc } of walk.motions) {
+    const [ends, begins] = [isSameTarget(arcPlace, place), isSameTarget(after, place)];
+    const point = pointAt(file, arcPlace);
     if (!arc || !from_mm || !point?.center_mm || !(ends || begins)) continue;
     const fits = typeof arcTo(begins ? to : from_mm, ends ? { ...point, position_mm: to } : point) !== "string";
     if (fits || !isPlainArc(arc, begins ? to : from_mm, ends ? to : to_mm)) continue;
     const via_mm = roundedVector(arcPoint(arc, 0.5));
-    changed = setTarget(changed, arcTargetId, { via_mm, center_mm: undefined, normal: undefined, turn_deg: undefined });
+    changed = setTarget(changed, arcPlace, { via_mm, center_mm: undefined, normal: undefined, turn_deg: undefined });
   }
   return changed;
 }

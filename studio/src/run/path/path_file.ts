@@ -102,7 +102,7 @@ export interface TargetId {
 export interface Error {
   text: string;
   /** null: with all of it. */
-  targetId: TargetId | null;
+  place: TargetId | null;
 }
 
 export const isSubPath = (target: Target): target is SubPath => "path" in target;
@@ -114,14 +114,14 @@ export const targetKey = ({ path, target }: TargetId): string => `${path}/${targ
 export const isSameTarget = (one: TargetId | null, other: TargetId | null): boolean =>
   one?.path === other?.path && one?.target === other?.target;
 
-/** Returns the position of a target in the text. */
+/** Returns the position of a place in the text. */
 export const targetJsonPath = ({ path, target }: TargetId): JsonPath =>
   target < 0 ? ["paths", path] : ["paths", path, "targets", target];
 
 export const targetAt = (file: PathFile, { path, target }: TargetId): Target | undefined => file.paths[path]?.targets[target];
 
-export function pointAt(file: PathFile, targetId: TargetId): Point | undefined {
-  const target = targetAt(file, targetId);
+export function pointAt(file: PathFile, place: TargetId): Point | undefined {
+  const target = targetAt(file, place);
   return target && isPoint(target) ? target : undefined;
 }
 
@@ -151,7 +151,7 @@ const unknownKeyError = (value: object, known: string[], where: string): string 
   return key === undefined ? null : words.unknownKey(key, where, known.join(", "));
 };
 
-/** Returns the error of JSON values that are not a path file; its location is a position in the text. */
+/** Returns why JSON values are not a path file; the place is a position in the text. */
 function structureError(value: JsonValue): { text: string; at: JsonPath } | null {
   if (!isObject(value)) return { text: words.noObject, at: [] };
   const unknown = unknownKeyError(value, FILE_KEYS, words.ofFile);
@@ -187,9 +187,9 @@ function pathError(path: JsonValue): { text: string; at: JsonPath } | null {
 }
 
 /** With line and column. */
-function errorAt(text: string, at: number, message: string): Error {
+function errorAt(text: string, at: number, sentence: string): Error {
   const before = text.slice(0, at);
-  return { text: words.at(before.split("\n").length, at - before.lastIndexOf("\n"), message), targetId: null };
+  return { text: words.at(before.split("\n").length, at - before.lastIndexOf("\n"), sentence), place: null };
 }
 
 /** Returns the path file, or the error of the text with line and column. */

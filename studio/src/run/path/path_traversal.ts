@@ -28,7 +28,7 @@ export interface State extends Orientation {
 
 /** A motion to a point. */
 export interface Motion {
-  targetId: TargetId;
+  place: TargetId;
   /** Previous point of the tool, and its position; null: not defined. */
   after: TargetId | null;
   from_mm: Vector | null;
@@ -85,7 +85,7 @@ class Walker {
       names.add(name);
     });
     const root = rootIndex(file);
-    if (root < 0) walk.errors.push({ text: words.noPath(file.root!), targetId: null });
+    if (root < 0) walk.errors.push({ text: words.noPath(file.root!), place: null });
     else this.enter(root, {}, []);
     walk.used = new Set(this.changes.keys());
     // Unused paths are drawn, too: the user may be about to use them.
@@ -95,31 +95,31 @@ class Walker {
     return walk;
   }
 
-  private fail(targetId: TargetId, text: string): void {
-    const key = targetKey(targetId);
+  private fail(place: TargetId, text: string): void {
+    const key = targetKey(place);
     if (this.targetsWithErrors.has(key)) return;
     this.targetsWithErrors.add(key);
-    this.walk.errors.push({ text, targetId });
+    this.walk.errors.push({ text, place });
   }
 
   /** Walks through a path for the first time; returns the state after it. */
-  private enter(path: number, state: State, parents: number[]): State {
+  private enter(path: number, state: State, way: number[]): State {
     let change: State = {};
     this.file.paths[path].targets.forEach((target, i) => {
-      const targetId = { path, target: i };
+      const place = { path, target: i };
       if (isSubPath(target)) {
-        const below = this.follow(targetId, target, state, [...parents, path]);
+        const below = this.follow(place, target, state, [...way, path]);
         change = stateAfter(change, below);
         state = stateAfter(state, below);
       } else if (isMachinePoint(target)) {
-        const afterPoint: State = { atMachinePoint: true, at: targetId };
-        change = stateAfter(change, afterPoint);
-        state = stateAfter(state, afterPoint);
+        const behind: State = { atMachinePoint: true, at: place };
+        change = stateAfter(change, behind);
+        state = stateAfter(state, behind);
       } else {
-        this.go(targetId, target, state, parents.length === 0);
+        this.go(place, target, state, way.length === 0);
         change = stateAfter(change, target);
         state = stateAfter(state, target);
-        state.at = change.at = targetId;
+        state.at = change.at = place;
       }
     });
     this.changes.set(path, change);
@@ -127,14 +127,14 @@ class Walker {
   }
 
   /** Returns the settings of a sub-path. */
-  private follow(targetId: TargetId, { path: name, repeats = 1 }: SubPath, state: State, parents: number[]): State {
+  private follow(place: TargetId, { path: name, repeats = 1 }: SubPath, state: State, way: number[]): State {
     const path = findPathIndex(this.file, name);
-    if (path < 0) this.fail(targetId, words.noPath(name));
-    else if (parents.includes(path)) this.fail(targetId, words.circle(name));
-    else if (parents.length > MAX_DEPTH) this.fail(targetId, words.tooDeep(MAX_DEPTH));
+    if (path < 0) this.fail(place, words.noPath(name));
+    else if (way.includes(path)) this.fail(place, words.circle(name));
+    else if (way.length > MAX_DEPTH) this.fail(place, words.tooDeep(MAX_DEPTH));
     else {
       if (this.changes.has(path)) this.addEntry(path, state);
-      else this.enter(path, state, parents);
+      else this.enter(path, state, way);
       const change = this.changes.get(path)!;
       // Each pass after the first starts at the path's own end.
       if (repeats > 1) this.addEntry(path, stateAfter(state, change));
@@ -146,33 +146,33 @@ class Walker {
   /** Adds another entry into a walked path: only its first motion differs. */
   private addEntry(path: number, state: State, depth = 0): void {
     const [first] = this.file.paths[path].targets;
-    const targetId = { path, target: 0 };
+    const place = { path, target: 0 };
     if (isMachinePoint(first)) return;
-    if (!isSubPath(first)) return this.go(targetId, first, state, false);
+    if (!isSubPath(first)) return this.go(place, first, state, false);
     const below = findPathIndex(this.file, first.path);
     if (depth < MAX_DEPTH && this.changes.has(below)) this.addEntry(below, state, depth + 1);
   }
 
-  private go(targetId: TargetId, point: Point, state: State, isOutermost: boolean): void {
-    const key = targetKey(targetId);
+  private go(place: TargetId, point: Point, state: State, isOutermost: boolean): void {
+    const key = targetKey(place);
     if (!this.walk.before.has(key)) this.walk.before.set(key, state);
     const from_mm = state.position_mm ?? null;
-    if (targetId.target === 0) {
-      const entryKey = `${key} ${from_mm} ${state.atMachinePoint}`;
-      if (this.visited.has(entryKey)) return;
-      this.visited.add(entryKey);
+    if (place.target === 0) {
+      const way = `${key} ${from_mm} ${state.atMachinePoint}`;
+      if (this.visited.has(way)) return;
+      this.visited.add(way);
     }
     const motion = pointMotion(point);
     let arc: Arc | null = null;
-    if (state.atMachinePoint && motion !== "rapid") this.fail(targetId, words.rapidBehindPoint);
+    if (state.atMachinePoint && motion !== "rapid") this.fail(place, words.rapidBehindPoint);
     else if (motion === "circular") {
       const shape = from_mm ? arcTo(from_mm, point) : isOutermost ? words.firstIsArc : null;
-      if (typeof shape === "string") this.fail(targetId, shape);
+      if (typeof shape === "string") this.fail(place, shape);
       else arc = shape;
     }
     if (motion === "none") return;
     const after = state.at ?? null;
-    this.walk.motions.push({ targetId, after, from_mm, to_mm: point.position_mm, rapid: motion === "rapid", arc });
+    this.walk.motions.push({ place, after, from_mm, to_mm: point.position_mm, rapid: motion === "rapid", arc });
   }
 }
 

@@ -15,9 +15,9 @@ const START_VALUES_DEG = [0, 45, -45, 90, -90, 135, -135, 180];
 type Values = Record<string, number>;
 
 /** Solves (J'J + damping) x = J'r for a few unknowns. */
-function solve(columns: Vector3[], difference: Vector3, damping: number): number[] {
+function solve(columns: Vector3[], rest: Vector3, damping: number): number[] {
   const n = columns.length;
-  const rows = columns.map((a, i) => [...columns.map((b, j) => a.dot(b) + (i === j ? damping : 0)), a.dot(difference)]);
+  const rows = columns.map((a, i) => [...columns.map((b, j) => a.dot(b) + (i === j ? damping : 0)), a.dot(rest)]);
   for (let i = 0; i < n; ++i) {
     for (let k = 0; k < n; ++k) {
       if (k === i) continue;
@@ -33,13 +33,13 @@ function solveFrom(targetAxis: Vector3, start: Values, chain: Chain): Values | n
   let [values, damping] = [start, 1e-8];
   let at = toolDirection({ rotary_deg: values }, chain)!;
   for (let step = 0; step < MAX_ITERATIONS; ++step) {
-    const difference = targetAxis.clone().sub(at);
-    if (difference.length() < DIRECTION_TOLERANCE) return values;
+    const rest = targetAxis.clone().sub(at);
+    if (rest.length() < DIRECTION_TOLERANCE) return values;
     const columns = letters.map((letter) => {
       const moved = toolDirection({ rotary_deg: { ...values, [letter]: values[letter] + DIFFERENTIATION_STEP_DEG } }, chain)!;
       return moved.sub(at).divideScalar(DIFFERENTIATION_STEP_DEG);
     });
-    const by = solve(columns, difference, damping);
+    const by = solve(columns, rest, damping);
     const next = Object.fromEntries(letters.map((letter, i) => [letter, values[letter] + by[i]]));
     const nextDirection = toolDirection({ rotary_deg: next }, chain)!;
     // A step that brings no improvement is repeated with a shorter one.

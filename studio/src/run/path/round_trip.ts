@@ -29,13 +29,13 @@ const MAX_POINTS = 400_000;
 /** List of points with the parts between them. */
 class Polyline {
   readonly ends: number[] = [];
-  readonly coordinates: number[] = [];
+  readonly places: number[] = [];
 
   add(from: Vector, to: Vector): void {
     this.ends.push(...from, ...to);
     const steps = Math.min(Math.ceil(distance(from, to) / STEP_MM), MAX_STEPS);
-    for (let i = 0; i < steps; ++i) this.coordinates.push(...between(from, to, i / steps));
-    this.coordinates.push(...to);
+    for (let i = 0; i < steps; ++i) this.places.push(...between(from, to, i / steps));
+    this.places.push(...to);
   }
 
   toSegmentTree(): LineSegmentTree {
@@ -43,12 +43,12 @@ class Polyline {
   }
 
   /** Returns the largest distance of its points from the given parts, mm. */
-  maxDistanceFrom(tree: LineSegmentTree): number {
-    const { coordinates } = this;
-    const stride = 3 * Math.ceil(coordinates.length / 3 / MAX_POINTS);
+  maxDistanceFrom(pieces: LineSegmentTree): number {
+    const { places } = this;
+    const stride = 3 * Math.ceil(places.length / 3 / MAX_POINTS);
     let farthest = 0;
-    for (let i = 0; i < coordinates.length; i += stride) {
-      farthest = Math.max(farthest, tree.distanceTo(coordinates[i], coordinates[i + 1], coordinates[i + 2]));
+    for (let i = 0; i < places.length; i += stride) {
+      farthest = Math.max(farthest, pieces.distanceTo(places[i], places[i + 1], places[i + 2]));
     }
     return farthest;
   }
@@ -97,10 +97,10 @@ function runPolyline({ sections }: Segments, cutsFrom: Vector | null): Polyline 
 /** Returns null if one of both has no path. */
 export function roundTrip(walk: PathTraversal, segments: Segments): RoundTrip | null {
   const path = pathPolyline(walk);
-  const runPath = runPolyline(segments, null);
-  if (path.ends.length === 0 || runPath.ends.length === 0) return null;
+  const way = runPolyline(segments, null);
+  if (path.ends.length === 0 || way.ends.length === 0) return null;
   const cuts = runPolyline(segments, walk.motions[0].to_mm);
   // A run that never reaches the path is compared completely.
-  const compared = cuts.ends.length > 0 ? cuts : runPath;
-  return { runDeviation_mm: compared.maxDistanceFrom(path.toSegmentTree()), pathDeviation_mm: path.maxDistanceFrom(runPath.toSegmentTree()) };
+  const held = cuts.ends.length > 0 ? cuts : way;
+  return { runDeviation_mm: held.maxDistanceFrom(path.toSegmentTree()), pathDeviation_mm: path.maxDistanceFrom(way.toSegmentTree()) };
 }

@@ -35,8 +35,8 @@ const isDwell: Check = (value) =>
 const isRepeats: Check = (value) =>
   isNumber(value) && Number.isInteger(value) && value >= 1 && value <= MAX_REPEATS ? null : words.repeats;
 
-const isInRange = (value: JsonValue, min: number, max: number): boolean =>
-  isNumber(value) && Number.isInteger(value) && value >= min && value <= max;
+const isInRange = (value: JsonValue, least: number, most: number): boolean =>
+  isNumber(value) && Number.isInteger(value) && value >= least && value <= most;
 const isPointName = (value: JsonValue): boolean => typeof value === "string" && /^[A-Za-z][A-Za-z0-9_]{0,255}$/.test(value);
 const isReference: Check = (value) => (isInRange(value, 1, MAX_REFERENCE_POINT) || isPointName(value) ? null : words.reference);
 const isFixedPoint: Check = (value) => (isInRange(value, 1, MAX_FIXED_POINT) || isPointName(value) ? null : words.fixed);
@@ -171,10 +171,10 @@ function frameError(of: Members): string | null {
 
 /** Returns the error of the work frame and the tool of a path; other keys are ignored. */
 export function setupValuesError(path: Members): string | null {
-  const setUpValues = Object.fromEntries(Object.entries(path).filter(([key]) => setUpKeys.includes(key)));
+  const own = Object.fromEntries(Object.entries(path).filter(([key]) => setUpKeys.includes(key)));
   const unusedOffset = ["length_offset", "diameter_offset"].find((key) => path[key] !== undefined && path.tool === undefined);
   if (unusedOffset) return words.goesWith(unusedOffset, "tool");
-  return valuesError(setUpValues, setUpChecks, words.ofPath) ?? frameError(path);
+  return valuesError(own, setUpChecks, words.ofPath) ?? frameError(path);
 }
 
 /** Returns a message, or null if the target is valid. */

@@ -41,13 +41,13 @@ export function createChooser(changed: (chosen: ChartSelection) => void): Choose
     axes: new Set(letters.flatMap((letter, i) => (hidden.has(letter) ? [] : [i]))),
     percent,
   });
-  const setMember = <T>(set: Set<T>, value: T, on: boolean) => {
+  const put = <T>(set: Set<T>, value: T, on: boolean) => {
     if (on) set.add(value);
     else set.delete(value);
     changed(chosen());
   };
   const charts = chartIds.map((id) =>
-    createCheckbox(words.charts[id], words.chartHints[id], displayed.has(id), (on) => setMember(displayed, id, on)),
+    createCheckbox(words.charts[id], words.chartHints[id], displayed.has(id), (on) => put(displayed, id, on)),
   );
   const measure = createCheckbox(words.percent, words.percentHint, percent, (on) => {
     percent = on;
@@ -65,7 +65,7 @@ export function createChooser(changed: (chosen: ChartSelection) => void): Choose
       axes.replaceChildren(
         ...letters.map((letter, i) => {
           const name = element("span", { style: `--colour:${axisColour(i)}` }, letter);
-          return createCheckbox(name, words.axisHint(letter), !hidden.has(letter), (on) => setMember(hidden, letter, !on));
+          return createCheckbox(name, words.axisHint(letter), !hidden.has(letter), (on) => put(hidden, letter, !on));
         }),
       );
     },

@@ -46,7 +46,7 @@ export class CurveSampler {
   }
 
   /** Sets the values `t_s` after the segment's start, in mm or rad and s; NaN: no programmed feed. */
-  sample({ chunk, i, part }: SegmentRef, t_s: number, out: Float64Array): void {
+  put({ chunk, i, part }: SegmentRef, t_s: number, out: Float64Array): void {
     const records = this.segments.records(chunk);
     if (this.group === "path") {
       const { positionJoints } = this.segments;
@@ -80,7 +80,7 @@ export class CurveSampler {
   /** Widens by part of a segment, from samples; exact at changes of laws. */
   widenWithin(segmentRef: SegmentRef, from_s: number, to_s: number, low: Float32Array, high: Float32Array, at: number): void {
     const addSample = (t_s: number) => {
-      this.sample(segmentRef, t_s, this.point);
+      this.put(segmentRef, t_s, this.point);
       for (let j = 0; j < this.width; ++j) expand(low, high, at + j, this.point[j]);
     };
     for (const t_s of this.breaks_s(segmentRef)) {
@@ -131,7 +131,7 @@ export class CurveSampler {
 }
 
 /** With these flags the speed along the path is not that of the leading law alone. */
-const NOT_PROPORTIONAL = Flag.superimposed | Flag.uncoordinated;
+const NOT_PROPORTIONAL = Flag.beside | Flag.apart;
 
 function programmedFeed(chunk: Chunk, i: number): number {
   const feed = chunk.feed_per_min[i];

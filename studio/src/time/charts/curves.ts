@@ -1,4 +1,4 @@
-// Curves over a time interval: exact samples for few segments, lowest and highest values for each column of
+// Curves over a stretch of time: exact samples for few segments, lowest and highest values for each column of
 // pixels for many.
 
 import type { Segments } from "../../run/segments";
@@ -24,7 +24,7 @@ export function push(curves: Curves, t_s: number, values: ArrayLike<number>): vo
   for (let j = 0; j < curves.values.length; ++j) curves.values[j].push(values[j]);
 }
 
-/** Returns the curves. `columns`: width of the interval in pixels. Data that is not loaded is left out. */
+/** Returns the curves. `columns`: width of the stretch in pixels. Data that is not loaded is left out. */
 export function createCurves(segments: Segments, leaves: ExtremaTree, from_s: number, to_s: number, columns: number): Curves {
   const first = segments.at(from_s);
   if (first < 0 || !(to_s > from_s)) return empty(leaves.probe.width);
@@ -46,7 +46,7 @@ function is_sampled(probe: CurveSampler, first: number, last: number, from_s: nu
     const end_s = Math.min(to_s - start_s, segmentRef.part.duration_s);
     if (!(end_s > begin_s)) continue;
     for (const t_s of instants(probe, segmentRef, begin_s, end_s, step_s)) {
-      probe.sample(segmentRef, t_s, point);
+      probe.put(segmentRef, t_s, point);
       push(curves, start_s + t_s, point);
     }
   }
@@ -71,7 +71,7 @@ function samplePerColumn(segments: Segments, probe: CurveSampler, from_s: number
     const t_s = from_s + (column + 0.5) * step_s;
     const segmentRef = probe.segmentRef(segments.at(t_s));
     if (!segmentRef) continue;
-    probe.sample(segmentRef, t_s - segmentRef.chunk.start_s[segmentRef.i], point);
+    probe.put(segmentRef, t_s - segmentRef.chunk.start_s[segmentRef.i], point);
     push(curves, t_s, point);
   }
   return curves;

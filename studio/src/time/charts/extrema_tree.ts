@@ -1,5 +1,5 @@
 // Lowest and highest values of runs of segments, computed in slices while the page stays responsive. A chart
-// of a long time interval then reads few numbers and misses no peak.
+// of a long stretch of time then reads few numbers and misses no peak.
 
 import type { Segments } from "../../run/segments";
 import { CurveSampler, type Group } from "./curve_sampler";

@@ -46,9 +46,9 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
   const groupLeaves = (group: Group): ExtremaTree => {
     const known = leaves.get(group);
     if (known) return known;
-    const tree = new ExtremaTree(robot!.segments, group, () => tree === leaves.get(group) && later(draw));
-    leaves.set(group, tree);
-    return tree;
+    const made = new ExtremaTree(robot!.segments, group, () => made === leaves.get(group) && later(draw));
+    leaves.set(group, made);
+    return made;
   };
 
   /** Returns null for data that comes from laws. */
@@ -108,17 +108,17 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
   }
 
   function showOverviewNote(isOverview: boolean): void {
-    const notes = new Set<string>();
+    const said = new Set<string>();
     for (const { id } of charts) {
       const source = chartSource[id];
       const series = sourceSeries(source);
-      if (!series && isOverview) notes.add(texts.time.rough);
+      if (!series && isOverview) said.add(texts.time.rough);
       if (series && series.step_s > 0) {
-        notes.add(texts.time.stepped(texts.time.series[source as SeriesKind], short(1000 * series.step_s)));
+        said.add(texts.time.stepped(texts.time.series[source as SeriesKind], short(1000 * series.step_s)));
       }
     }
-    about.hidden = notes.size === 0;
-    about.textContent = [...notes].join(". ");
+    about.hidden = said.size === 0;
+    about.textContent = [...said].join(". ");
   }
 
   function point(): void {
@@ -133,13 +133,13 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
     const series = sourceSeries(source);
     if (series) {
       const values = new Float32Array(series.width);
-      series.sample(t_s, values);
+      series.put(t_s, values);
       return values;
     }
     const { probe } = groupLeaves(source as Group);
     const values = new Float64Array(probe.width);
     const segmentRef = probe.segmentRef(index);
-    if (segmentRef) probe.sample(segmentRef, Math.min(t_s - segmentRef.chunk.start_s[segmentRef.i], segmentRef.part.duration_s), values);
+    if (segmentRef) probe.put(segmentRef, Math.min(t_s - segmentRef.chunk.start_s[segmentRef.i], segmentRef.part.duration_s), values);
     else values.fill(NaN);
     return values;
   }

@@ -4,19 +4,19 @@ import type { Segments } from "../../run/segments";
 import { push, type Curves } from "./curves";
 import { PATH, type Group } from "./curve_sampler";
 
-/** Max number of sections fetched for exact curves: some 65,000 segments. */
+/** Max number of stretches fetched for exact curves: some 65,000 segments. */
 const MAX_MISSING_SECTIONS = 4;
 
-/** True if a time interval has more data than exact curves are drawn from. */
+/** True if a stretch of time has more data than exact curves are drawn from. */
 export function needsOverview(segments: Segments, from_s: number, to_s: number): boolean {
   return segments.isLong && countMissing(segments, from_s, to_s, MAX_MISSING_SECTIONS + 1) > MAX_MISSING_SECTIONS;
 }
 
-/** Returns the number of sections that may have to be fetched; counted up to `maxCount`. */
-function countMissing({ sections }: Segments, from_s: number, to_s: number, maxCount: number): number {
+/** Returns the number of stretches that may have to be fetched; counted up to `most`. */
+function countMissing({ sections }: Segments, from_s: number, to_s: number, most: number): number {
   let count = 0;
-  for (const { permanentChunk, start_s, end_s } of sections) {
-    if (!permanentChunk && start_s <= to_s && end_s >= from_s && ++count >= maxCount) return count;
+  for (const { whole, start_s, end_s } of sections) {
+    if (!whole && start_s <= to_s && end_s >= from_s && ++count >= most) return count;
   }
   return count;
 }
@@ -24,7 +24,7 @@ function countMissing({ sections }: Segments, from_s: number, to_s: number, maxC
 /** Fetches what exact curves lack. */
 export function fetchRange(segments: Segments, from_s: number, to_s: number): void {
   for (const section of segments.sections) {
-    if (section.permanentChunk || section.start_s > to_s || section.end_s < from_s || segments.locate(section.first)) continue;
+    if (section.whole || section.start_s > to_s || section.end_s < from_s || segments.locate(section.first)) continue;
     void segments.fetchNow(section.first);
   }
 }

@@ -1,10 +1,10 @@
-// Curves of a series over a time interval: its instants if they are few, else lowest and highest values for
+// Curves of a series over a stretch of time: its instants if they are few, else lowest and highest values for
 // each column of pixels.
 
 import type { Series } from "../../run/series";
 import { push, type Curves } from "./curves";
 
-/** `columns`: width of the interval in pixels. */
+/** `columns`: width of the stretch in pixels. */
 export function seriesCurves(series: Series, from_s: number, to_s: number, columns: number): Curves {
   const curves: Curves = { t_s: [], values: series.channels.map(() => []), areColumns: false };
   if (series.count === 0 || !(to_s > from_s)) return curves;
@@ -17,13 +17,13 @@ export function seriesCurves(series: Series, from_s: number, to_s: number, colum
 
 function addInstants(series: Series, first: number, last: number, from_s: number, to_s: number, curves: Curves): void {
   const point = new Float32Array(series.width);
-  const addSample = (t_s: number) => {
-    series.sample(t_s, point);
+  const put = (t_s: number) => {
+    series.put(t_s, point);
     push(curves, t_s, point);
   };
-  addSample(from_s);
+  put(from_s);
   for (let i = first + 1; i <= last; ++i) push(curves, series.time_s(i), series.row(i));
-  addSample(to_s);
+  put(to_s);
 }
 
 /** Adds steps; each has the same value at its end as at its start. */
@@ -49,7 +49,7 @@ function addColumns(series: Series, from_s: number, to_s: number, columns: numbe
     const [low, high] = columnExtremes(series, first, series.indexAt(end_s));
     // Between two instants, both edges have interpolated values.
     for (const t_s of series.step_s > 0 ? [] : [begin_s, end_s]) {
-      series.sample(t_s, edge);
+      series.put(t_s, edge);
       for (let j = 0; j < edge.length; ++j) {
         if (edge[j] < low[j] || Number.isNaN(low[j])) low[j] = edge[j];
         if (edge[j] > high[j] || Number.isNaN(high[j])) high[j] = edge[j];

@@ -31,27 +31,27 @@ function powerTrace(series: Series): Trace {
 }
 
 function contourTrace(series: Series, units: Units): Trace {
-  const base = { ...common, name: words.ofTip, channel: series.channel("contour"), colour: themeColour("--accent") };
-  return { ...base, scale: "mm", unit: lengthUnit(units), factor: length(1, units) };
+  const own = { ...common, name: words.ofTip, channel: series.channel("contour"), colour: themeColour("--accent") };
+  return { ...own, scale: "mm", unit: lengthUnit(units), factor: length(1, units) };
 }
 
 function errorTrace(series: Series, axis: Axis, joint: number, { units }: Choice): Trace {
-  const base = { ...common, name: axis.letter, channel: series.channel("error", joint), colour: axisColour(joint) };
-  if (axis.rotary) return { ...base, scale: "deg", unit: "°" };
-  return { ...base, scale: "mm", unit: lengthUnit(units), factor: length(1, units) };
+  const own = { ...common, name: axis.letter, channel: series.channel("error", joint), colour: axisColour(joint) };
+  if (axis.rotary) return { ...own, scale: "deg", unit: "°" };
+  return { ...own, scale: "mm", unit: lengthUnit(units), factor: length(1, units) };
 }
 
 /** If the motor is weaker at some speeds, its limit is drawn over time, in both directions. */
 function effortTraces(series: Series, axis: Axis, joint: number, percent: boolean): Trace[] {
   const { letter, motor_peak: peak, motor_fades: fades } = axis;
   const colour = axisColour(joint);
-  const base = { ...common, name: letter, channel: series.channel("effort", joint), colour };
+  const own = { ...common, name: letter, channel: series.channel("effort", joint), colour };
   if (percent && (fades || peak !== null)) {
     const from = fades ? { channel: series.channel("share", joint), factor: 100 } : { factor: 100 / peak! };
-    return [{ ...base, ...from, scale: "percent", unit: "%", limits: symmetricLimits(100, words.limit, orange) }];
+    return [{ ...own, ...from, scale: "percent", unit: "%", limits: symmetricLimits(100, words.limit, orange) }];
   }
   const scale = axis.rotary ? ("torque" as const) : ("force" as const);
-  const effort = { ...base, scale, unit: axis.rotary ? "Nm" : "N" };
+  const effort = { ...own, scale, unit: axis.rotary ? "Nm" : "N" };
   const label = words.limitOf(letter);
   if (!fades) return [{ ...effort, limits: peak === null ? [] : symmetricLimits(peak, label, colour) }];
   const limit = { ...effort, name: label, channel: series.channel("motor_peak", joint), dashed: true, isLimit: true };

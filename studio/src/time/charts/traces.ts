@@ -44,9 +44,9 @@ export const availableCharts = (robot: Robot | undefined): ChartId[] =>
 /** Returns the unit of a chart's values on a scale. */
 function unitOf(id: LawChartId, scale: ScaleId, units: Units): string {
   if (scale === "percent") return "%";
-  const lengthUnitText = scale === "deg" ? "°" : lengthUnit(units);
-  if (id === "axis_position") return lengthUnitText;
-  return id.endsWith("speed") ? `${lengthUnitText}/min` : `${lengthUnitText}/s²`;
+  const way = scale === "deg" ? "°" : lengthUnit(units);
+  if (id === "axis_position") return way;
+  return id.endsWith("speed") ? `${way}/min` : `${way}/s²`;
 }
 
 export function createTraces(id: ChartId, { scene, series }: Robot, choice: Choice): Trace[] {

@@ -67,9 +67,9 @@ export class Bodies {
     });
   }
 
-  /** `roleOf` returns the current role of a body, by its name; undefined: that of its role. */
-  light(roleOf: (name: string) => Role | undefined): void {
-    for (const { body, mesh } of this.placedBodies) mesh.material = this.bodyMaterials.solid[roleOf(body.name) ?? body.role];
+  /** `look` returns the current look of a body, by its name; undefined: that of its role. */
+  light(look: (name: string) => Role | undefined): void {
+    for (const { body, mesh } of this.placedBodies) mesh.material = this.bodyMaterials.solid[look(body.name) ?? body.role];
   }
 
   dispose(): void {

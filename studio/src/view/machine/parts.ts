@@ -44,10 +44,10 @@ export class Parts {
 
   /** Adds a round bar from one position to another. */
   bar(link: number, from: Vector3, to: Vector3, radius_mm: number, role: Role): void {
-    const direction = to.clone().sub(from);
-    const length_mm = direction.length();
+    const way = to.clone().sub(from);
+    const length_mm = way.length();
     if (length_mm < 1e-6) return;
-    const turn = new Quaternion().setFromUnitVectors(UP, direction.divideScalar(length_mm));
+    const turn = new Quaternion().setFromUnitVectors(UP, way.divideScalar(length_mm));
     const pose = new Matrix4().makeRotationFromQuaternion(turn).setPosition(from.clone().add(to).multiplyScalar(0.5));
     this.add(link, cylinder(radius_mm, length_mm), pose, role);
   }

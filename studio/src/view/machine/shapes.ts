@@ -23,9 +23,9 @@ export const cylinder = (radius_mm: number, height_mm: number, top_mm = radius_m
 };
 
 function capsule(a: Vector3, b: Vector3, radius_mm: number): BufferGeometry {
-  const axis = b.clone().sub(a);
-  const geometry = new CapsuleGeometry(radius_mm, axis.length(), 8, RADIAL_SEGMENTS);
-  geometry.applyQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), axis.normalize()));
+  const way = b.clone().sub(a);
+  const geometry = new CapsuleGeometry(radius_mm, way.length(), 8, RADIAL_SEGMENTS);
+  geometry.applyQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), way.normalize()));
   const middle = a.clone().add(b).multiplyScalar(0.5);
   return geometry.translate(middle.x, middle.y, middle.z);
 }

@@ -1,4 +1,5 @@
-// Tool: a shank from the TCP without tool offset to the TCP and beyond, the TCP itself, and the jet.
+// Tool: a shank from the tool centre point (without tool offset) to the TCP and beyond, the TCP itself, and
+// the jet.
 
 import { ConeGeometry, Group, Matrix4, Mesh, Vector3 } from "three";
 import type { LinkPoses } from "../../run/chain";
@@ -11,7 +12,7 @@ const JET_MM = 1;
 const SHANK_RADIUS_SHARE = 0.16;
 const POINT_RADIUS_SHARE = 0.04;
 
-/** Returns the distance from the TCP without tool offset to the tool holder, along the tool's Z, mm. */
+/** Returns the distance from the tool centre point to the tool holder, along the tool's Z, mm. */
 const holderDistance_mm = (robot: Robot): number => new Matrix4().fromArray(robot.scene.tool_side.end).invert().elements[14];
 
 /** Returns the direction of the tool from its TCP: up if it cannot be determined otherwise. */

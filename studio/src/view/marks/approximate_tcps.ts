@@ -14,16 +14,16 @@ export class ApproximateTcps {
     this.material.color.copy(colours.selected);
   }
 
-  show(positions: Vector3[], mmPerPixelAt: (position: Vector3) => number): void {
-    while (this.group.children.length < positions.length) {
+  put(places: Vector3[], mmPerPixelAt: (place: Vector3) => number): void {
+    while (this.group.children.length < places.length) {
       const dot = new Mesh(this.geometry, this.material);
       dot.raycast = () => {};
       this.group.add(dot);
     }
     this.group.children.forEach((dot, i) => {
-      dot.visible = i < positions.length;
-      if (dot.visible) dot.position.copy(positions[i]);
-      if (dot.visible) dot.scale.setScalar(RADIUS_PX * mmPerPixelAt(positions[i]));
+      dot.visible = i < places.length;
+      if (dot.visible) dot.position.copy(places[i]);
+      if (dot.visible) dot.scale.setScalar(RADIUS_PX * mmPerPixelAt(places[i]));
     });
   }
 }

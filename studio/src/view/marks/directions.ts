@@ -24,29 +24,29 @@ class PathDistances {
 
   constructor(private readonly data: PathData) {
     this.distances = new Float64Array(Math.ceil(data.count / PathDistances.STEP));
-    let distance = 0;
+    let way = 0;
     let [x, y, z] = [NaN, NaN, NaN];
     for (const { section, vertex } of data.vertices(0, data.count)) {
       const { vertex_mm, vertices } = section;
       for (let i = 0; i < vertices; ++i) {
         const [x1, y1, z1] = [vertex_mm[3 * i], vertex_mm[3 * i + 1], vertex_mm[3 * i + 2]];
-        if (vertex + i > 0) distance += Math.sqrt((x1 - x) ** 2 + (y1 - y) ** 2 + (z1 - z) ** 2);
-        if ((vertex + i) % PathDistances.STEP === 0) this.distances[(vertex + i) / PathDistances.STEP] = distance;
+        if (vertex + i > 0) way += Math.sqrt((x1 - x) ** 2 + (y1 - y) ** 2 + (z1 - z) ** 2);
+        if ((vertex + i) % PathDistances.STEP === 0) this.distances[(vertex + i) / PathDistances.STEP] = way;
         [x, y, z] = [x1, y1, z1];
       }
     }
-    this.total = distance;
+    this.total = way;
   }
 
   /**
    * Returns the vertex that ends the part at a distance along the path, and the position along that part, 0
    * to 1.
    */
-  at(distance: number): [vertex: number, share: number] {
+  at(way: number): [vertex: number, share: number] {
     const { data } = this;
-    const known = Math.max(lastIndex(this.distances.length, (i) => this.distances[i] <= distance), 0);
+    const known = Math.max(lastIndex(this.distances.length, (i) => this.distances[i] <= way), 0);
     let vertex = known * PathDistances.STEP;
-    let left = distance - this.distances[known];
+    let left = way - this.distances[known];
     const [a, b] = [data.point(vertex), new Vector3()];
     while (++vertex < data.count) {
       const step = a.distanceTo(data.point(vertex, b));
@@ -115,8 +115,8 @@ export class Directions {
     const space = Math.max(ARROW_SPACING_PX * rig.mmPerPixel, total / MAX_ATTEMPTS);
     const [a, b, world] = [new Vector3(), new Vector3(), new Vector3()];
     const { back } = rig.basis();
-    for (let distance = space / 2; distance < total && taken.size < MAX_ARROWS; distance += space) {
-      const [vertex, share] = distances.at(distance);
+    for (let way = space / 2; way < total && taken.size < MAX_ARROWS; way += space) {
+      const [vertex, share] = distances.at(way);
       if (!rapids && data.isRapid(vertex)) continue;
       data.point(vertex - 1, a);
       data.point(vertex, b);
@@ -139,7 +139,7 @@ export function addArrow(corners: number[], at: Vector3, along: Vector3, length_
   const other = along.clone().cross(side).setLength(0.32 * length_mm);
   const tip = at.clone().addScaledVector(along, 0.5 * length_mm);
   const base = at.clone().addScaledVector(along, -0.5 * length_mm);
-  const ring = [side, other, side.clone().negate(), other.clone().negate()].map((distance) => distance.add(base));
+  const ring = [side, other, side.clone().negate(), other.clone().negate()].map((way) => way.add(base));
   for (let i = 0; i < 4; ++i) {
     for (const corner of [tip, ring[i], ring[(i + 1) % 4]]) corners.push(corner.x, corner.y, corner.z);
   }

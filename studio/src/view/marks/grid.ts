@@ -42,9 +42,9 @@ export class Grid {
     const [x1, y1] = [box.max.x, box.max.y].map((high) => Math.ceil((high + margin) / wide) * wide);
     const fine: number[] = [];
     const boldLines: number[] = [];
-    const lines = (from: number, to: number, addLine: (at: number, into: number[]) => void) => {
+    const lines = (from: number, to: number, put: (at: number, into: number[]) => void) => {
       for (let i = Math.round(from / this.step_mm); i <= Math.round(to / this.step_mm); ++i) {
-        addLine(i * this.step_mm, i % BOLD_INTERVAL === 0 ? boldLines : fine);
+        put(i * this.step_mm, i % BOLD_INTERVAL === 0 ? boldLines : fine);
       }
     };
     lines(x0, x1, (x, into) => into.push(x, y0, 0, x, y1, 0));

@@ -22,12 +22,12 @@ export class Labels {
     }
     this.known.forEach((span, i) => {
       const label = labels[i];
-      const projected = label ? rig.project(label.at) : null;
-      span.hidden = projected === null;
-      if (!projected) return;
+      const place = label ? rig.project(label.at) : null;
+      span.hidden = place === null;
+      if (!place) return;
       span.className = label.kind;
       if (span.textContent !== label.text) span.textContent = label.text;
-      span.style.transform = `translate(${projected.x.toFixed(1)}px, ${projected.y.toFixed(1)}px) translate(-50%, -50%)`;
+      span.style.transform = `translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px) translate(-50%, -50%)`;
     });
   }
 }

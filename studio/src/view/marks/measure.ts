@@ -13,7 +13,7 @@ export class Measure {
     new LineBasicMaterial({ depthTest: false, transparent: true }),
   );
   /** One or two positions, in the work frame of the shown robot (mm). */
-  private points: Vector3[] = [];
+  private places: Vector3[] = [];
 
   constructor() {
     this.lines.matrixAutoUpdate = false;
@@ -23,19 +23,19 @@ export class Measure {
   }
 
   clear(): void {
-    this.points = [];
+    this.places = [];
     this.draw();
   }
 
   /** Picks a position; a third one starts again. */
-  pick(point: Vector3): void {
-    if (this.points.length === 2) this.points = [];
-    this.points.push(point);
+  pick(place: Vector3): void {
+    if (this.places.length === 2) this.places = [];
+    this.places.push(place);
     this.draw();
   }
 
   private draw(): void {
-    const [a, b] = this.points;
+    const [a, b] = this.places;
     this.lines.visible = b !== undefined;
     if (!b) return;
     // Straight line, and path along the axes.
@@ -51,17 +51,17 @@ export class Measure {
 
   /** Returns "dx 1.000  dy 2.000  dz 0.000  distance 2.236 mm"; empty: two positions are not picked yet. */
   text(units: Units, distance: string): string {
-    const [a, b] = this.points;
+    const [a, b] = this.places;
     if (!b) return "";
-    const difference = b.clone().sub(a);
+    const way = b.clone().sub(a);
     const number = (mm: number) => lengthNumber(mm, units);
-    const parts = [`dx ${number(difference.x)}`, `dy ${number(difference.y)}`, `dz ${number(difference.z)}`];
-    return `${parts.join("  ")}  ${distance} ${number(difference.length())} ${lengthUnit(units)}`;
+    const parts = [`dx ${number(way.x)}`, `dy ${number(way.y)}`, `dz ${number(way.z)}`];
+    return `${parts.join("  ")}  ${distance} ${number(way.length())} ${lengthUnit(units)}`;
   }
 
   labels(units: Units, frame: Matrix4): Label[] {
-    const [a, b] = this.points;
-    const dots = this.points.map((point) => ({ at: point.clone().applyMatrix4(frame), text: "", kind: "dot" }));
+    const [a, b] = this.places;
+    const dots = this.places.map((place) => ({ at: place.clone().applyMatrix4(frame), text: "", kind: "dot" }));
     if (!b) return dots;
     const at = a.clone().add(b).multiplyScalar(0.5).applyMatrix4(frame);
     return [...dots, { at, text: lengthText(a.distanceTo(b), units), kind: "measured" }];

@@ -6,7 +6,7 @@ import type { Matrix4 } from "three";
 export interface Row {
   low: number[];
   high: number[];
-  segmentCount: number;
+  pieces: number;
   length_mm: number;
 }
 
@@ -25,7 +25,7 @@ export function rowLength(texels: Float32Array, from: number, to: number): Row {
     const [x, y, z] = [texels[at] - texels[at - 4], texels[at + 1] - texels[at - 3], texels[at + 2] - texels[at - 2]];
     length_mm += Math.sqrt(x * x + y * y + z * z);
   }
-  return { low, high, segmentCount: to - from, length_mm };
+  return { low, high, pieces: to - from, length_mm };
 }
 
 /** Cells across and down the screen, for measuring the path density. */
@@ -82,21 +82,21 @@ export function rowStrides(rows: readonly Row[], matrix: Matrix4, width_px: numb
   const each = ([left, right, low, high]: ProjectedRow["cells"], visit: (cell: number) => void) => {
     for (let v = low; v <= high; ++v) for (let u = left; u <= right; ++u) visit(CELLS * v + u);
   };
-  for (const projected of all) {
-    if (projected && projected !== "near") each(projected.cells, (cell) => (densities[cell] += projected.density));
+  for (const place of all) {
+    if (place && place !== "near") each(place.cells, (cell) => (densities[cell] += place.density));
   }
-  return Uint8Array.from(all, (projected, i) => {
-    if (!projected) return 0;
-    if (projected === "near") return 1;
+  return Uint8Array.from(all, (place, i) => {
+    if (!place) return 0;
+    if (place === "near") return 1;
     let [inverse, count] = [0, 0];
-    each(projected.cells, (cell) => {
+    each(place.cells, (cell) => {
       inverse += 1 / densities[cell];
       ++count;
     });
     // The harmonic mean follows the smallest densities.
     const dense = count / inverse / TARGET_DENSITY;
-    const small = (MIN_STEP_PX * rows[i].segmentCount) / projected.long_px;
-    const stride = Math.min(Math.max(dense, small, 1), MAX_STRIDE);
-    return 2 ** Math.floor(Math.log2(stride));
+    const small = (MIN_STEP_PX * rows[i].pieces) / place.long_px;
+    const most = Math.min(Math.max(dense, small, 1), MAX_STRIDE);
+    return 2 ** Math.floor(Math.log2(most));
   });
 }

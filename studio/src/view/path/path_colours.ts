@@ -69,7 +69,7 @@ function quantity(mode: ScaleMode, chunk: Chunk, i: number): number {
   }
 }
 
-/** Returns the sections that are loaded only as vertices. */
+/** Returns the stretches that are loaded only as vertices. */
 const compactSections = (all: Segments[]): RunSection[] => all.flatMap(({ sections, chunks }) => sections.slice(chunks.length));
 
 function computeScale(mode: ScaleMode, all: Segments[]): Scale {
@@ -116,7 +116,7 @@ type VertexColour = (section: RunSection, vertex: number) => ArrayLike<number>;
 /** Returns NaN if the vertex has no value, or it is not loaded. */
 function quantityAt(mode: ScaleMode, section: RunSection, vertex: number): number {
   if (mode === "time") return section.time_s(vertex);
-  if (section.permanentChunk) return quantity(mode, section.permanentChunk, section.vertexSegment(vertex) - section.first);
+  if (section.whole) return quantity(mode, section.whole, section.vertexSegment(vertex) - section.first);
   return mode === "speed" ? section.vertexSpeed_mm_s(vertex) : NaN;
 }
 

@@ -1,4 +1,4 @@
-// Drawn path of one robot for the view: vertices counted over all sections, in the work frame.
+// Drawn path of one robot for the view: vertices counted over all stretches, in the work frame.
 
 import { Box3, Vector3 } from "three";
 import { lastIndex } from "../../run/search";
@@ -8,7 +8,7 @@ import type { RunSection } from "../../run/run_section";
 /** Vertices in a row of their textures. */
 export const ROW = 4096;
 
-/** Vertices of one section: from one to before another, the first of which is number `vertex` of all. */
+/** Vertices of one stretch: from one to before another, the first of which is number `vertex` of all. */
 export interface Vertices {
   section: RunSection;
   from: number;
@@ -21,7 +21,7 @@ export class PathData {
   /** Bounds of all vertices, and of those that do not end a rapid move (mm). */
   readonly bounds = new Box3();
   readonly cutBounds = new Box3();
-  /** Number of the first vertex of each section. */
+  /** Number of the first vertex of each stretch. */
   private readonly firsts: number[] = [];
 
   constructor(readonly segments: Segments) {
@@ -48,7 +48,7 @@ export class PathData {
     }
   }
 
-  /** Returns vertices from one to before another, section by section. */
+  /** Returns vertices from one to before another, stretch by stretch. */
   *vertices(from: number, to: number): Generator<Vertices> {
     const { sections } = this.segments;
     const first = Math.max(lastIndex(this.firsts.length, (i) => this.firsts[i] <= from), 0);
@@ -75,7 +75,7 @@ export class PathData {
     return texels;
   }
 
-  /** Returns the section of a vertex, and its index there. */
+  /** Returns the stretch of a vertex, and its index there. */
   private locate(vertex: number): [RunSection, number] {
     const { sections } = this.segments;
     const k = lastIndex(this.firsts.length, (i) => this.firsts[i] <= vertex);

@@ -1,4 +1,4 @@
-// Paths of all robots on the screen. At standstill of the camera they are drawn once into a stored picture,
+// Paths of all robots on the screen. At standstill of the camera they are drawn once into a kept picture,
 // which is combined with the machine in each frame. During motion, many paths are drawn with fewer parts at
 // half the resolution.
 
@@ -74,7 +74,7 @@ export class PathLayer {
   private coarse: Target | null = null;
   /** Contents of the full picture, and of the last request. */
   private drawn = "";
-  private requested = "";
+  private asked = "";
   private since_ms = 0;
   /** Draws that show the complete path, and how much of them is done. */
   private plan: DrawCall[] = [];
@@ -129,10 +129,10 @@ export class PathLayer {
     this.refresh();
   }
 
-  /** Requests a redraw of the stored picture. */
+  /** Requests a redraw of the kept picture. */
   refresh(): void {
     this.drawn = "";
-    this.requested = "";
+    this.asked = "";
   }
 
   /** Returns the shown strands; another list after each change of paths. */
@@ -140,63 +140,63 @@ export class PathLayer {
     return this.pathStrips;
   }
 
-  /** True if the stored picture shows everything that was requested. */
+  /** True if the kept picture shows everything that was requested. */
   get complete(): boolean {
-    return this.drawn !== "" && this.drawn === this.requested;
+    return this.drawn !== "" && this.drawn === this.asked;
   }
 
   private get slow(): boolean {
     return this.planned > MAX_DIRECT_SEGMENTS && (this.timer.cost_ms ?? Infinity) > SLOW_DRAW_MS;
   }
 
-  /** Updates the stored picture; returns if more is to be drawn. */
-  prepare(appearance: FrameAppearance, time_ms: number): RemainingDrawing {
-    const { width_px, height_px, rapids, compare } = appearance;
-    const matrices = appearance.matrices.map((matrix) => matrix.elements.join());
-    const requested = [width_px, height_px, rapids, compare, appearance.compareColour, ...matrices].join();
-    if (this.requested !== requested) {
-      this.createDrawPlan(appearance);
+  /** Updates the kept picture; returns if more is to be drawn. */
+  prepare(look: FrameAppearance, time_ms: number): RemainingDrawing {
+    const { width_px, height_px, rapids, compare } = look;
+    const matrices = look.matrices.map((matrix) => matrix.elements.join());
+    const requested = [width_px, height_px, rapids, compare, look.compareColour, ...matrices].join();
+    if (this.asked !== requested) {
+      this.createDrawPlan(look);
       this.slice = 0;
       this.since_ms = time_ms;
     }
-    this.requested = requested;
+    this.asked = requested;
     const isSettled = time_ms - this.since_ms > IDLE_MS;
-    if (this.drawn !== requested) this.update(appearance, requested, isSettled);
+    if (this.drawn !== requested) this.update(look, requested, isSettled);
     if (this.drawn === requested) return "nothing";
     return isSettled ? "now" : "at rest";
   }
 
-  private createDrawPlan(appearance: FrameAppearance): void {
-    const { width_px, height_px } = appearance;
-    const displayed = this.pathStrips.filter(({ robot }) => robot !== PREVIOUS_RUN || appearance.compare);
-    this.plan = displayed.flatMap((pathStrip) => pathStrip.plan(appearance.matrices[pathStrip.frame], width_px, height_px));
+  private createDrawPlan(look: FrameAppearance): void {
+    const { width_px, height_px } = look;
+    const displayed = this.pathStrips.filter(({ robot }) => robot !== PREVIOUS_RUN || look.compare);
+    this.plan = displayed.flatMap((pathStrip) => pathStrip.plan(look.matrices[pathStrip.frame], width_px, height_px));
     this.planned = this.plan.reduce((sum, { from, to, stride }) => sum + (to - from) / stride, 0);
   }
 
-  private update(appearance: FrameAppearance, requested: string, isSettled: boolean): void {
-    const { width_px, height_px } = appearance;
+  private update(look: FrameAppearance, requested: string, isSettled: boolean): void {
+    const { width_px, height_px } = look;
     if (this.full?.width !== width_px || this.full.height !== height_px) this.resize(width_px, height_px);
     this.setState();
     const isWide = this.planned <= MAX_WIDE_SEGMENTS;
     if (!this.slow) {
       this.full!.begin();
       this.timer.begin();
-      this.paint(appearance, 0, Infinity, 1, isWide);
+      this.paint(look, 0, Infinity, 1, isWide);
       this.timer.end(1);
       this.show(this.full!, requested);
     } else if (!isSettled) {
       this.coarse!.begin();
-      this.paint(appearance, 0, Infinity, Math.ceil(this.planned / MOVING_SEGMENTS), false);
+      this.paint(look, 0, Infinity, Math.ceil(this.planned / MOVING_SEGMENTS), false);
       this.displayed = this.coarse;
-    } else this.refine(appearance, requested, isWide);
+    } else this.refine(look, requested, isWide);
   }
 
   // Draws in slices, so that the page stays responsive.
-  private refine(appearance: FrameAppearance, requested: string, isWide: boolean): void {
+  private refine(look: FrameAppearance, requested: string, isWide: boolean): void {
     if (this.slice === 0) this.full!.begin();
     else this.full!.go();
     this.timer.begin();
-    this.paint(appearance, this.slice, this.slice + SEGMENTS_PER_SLICE, 1, isWide);
+    this.paint(look, this.slice, this.slice + SEGMENTS_PER_SLICE, 1, isWide);
     this.timer.end(Math.max(1, this.planned / SEGMENTS_PER_SLICE));
     this.slice += SEGMENTS_PER_SLICE;
     if (this.slice >= this.planned) this.show(this.full!, requested);
@@ -233,13 +233,13 @@ export class PathLayer {
   }
 
   /** Draws parts of the plan from number `from` to before `to`; only each `coarser`-th of those. */
-  private paint(appearance: FrameAppearance, from: number, to: number, coarser: number, wide: boolean): void {
+  private paint(look: FrameAppearance, from: number, to: number, coarser: number, wide: boolean): void {
     const { gl } = this;
     const program = wide ? this.storedWide : this.storedThin;
     program.use();
-    const ratio = appearance.pixelRatio;
-    this.setSize(program, appearance, 1.4 * ratio);
-    gl.uniform1i(program.location("rapids"), appearance.rapids ? 1 : 0);
+    const ratio = look.pixelRatio;
+    this.setSize(program, look, 1.4 * ratio);
+    gl.uniform1i(program.place("rapids"), look.rapids ? 1 : 0);
     let before = 0;
     for (const { pathStrip, from: first, to: end, stride } of this.plan) {
       const begin = first + Math.ceil(Math.max(from - before, 0)) * stride;
@@ -247,27 +247,27 @@ export class PathLayer {
       before += (end - first) / stride;
       if (begin >= last) continue;
       const old = pathStrip.robot === PREVIOUS_RUN;
-      gl.uniform4fv(program.location("paint"), old ? [...appearance.compareColour, 1] : [0, 0, 0, 0]);
-      gl.uniform1i(program.location("clean"), old ? 1 : 0);
+      gl.uniform4fv(program.place("paint"), old ? [...look.compareColour, 1] : [0, 0, 0, 0]);
+      gl.uniform1i(program.place("clean"), old ? 1 : 0);
       program.set1f("nearer", old ? -2e-5 : 0);
-      program.set1f("small_mm", stride > 1 ? MIN_STEP_PX * appearance.mmPerPixel : 0);
-      pathStrip.draw(program, appearance.matrices[pathStrip.frame], begin, last, stride * coarser, wide);
+      program.set1f("small_mm", stride > 1 ? MIN_STEP_PX * look.mmPerPixel : 0);
+      pathStrip.draw(program, look.matrices[pathStrip.frame], begin, last, stride * coarser, wide);
     }
   }
 
-  private setSize(program: Program, appearance: FrameAppearance, width_px: number): void {
-    this.gl.uniform2f(program.location("size_px"), appearance.width_px, appearance.height_px);
+  private setSize(program: Program, look: FrameAppearance, width_px: number): void {
+    this.gl.uniform2f(program.place("size_px"), look.width_px, look.height_px);
     program.set1f("width_px", width_px);
     program.set1f("opacity", 1);
-    program.set1f("dash_px", 8 * appearance.pixelRatio);
-    program.set1f("join_px", 0.35 * appearance.pixelRatio);
+    program.set1f("dash_px", 8 * look.pixelRatio);
+    program.set1f("join_px", 0.35 * look.pixelRatio);
   }
 
-  /** Draws the stored picture to the screen, except where nearer bodies hide it. */
-  compose(appearance: FrameAppearance): void {
+  /** Draws the kept picture to the screen, except where nearer bodies hide it. */
+  compose(look: FrameAppearance): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(0, 0, appearance.width_px, appearance.height_px);
+    gl.viewport(0, 0, look.width_px, look.height_px);
     if (!this.displayed || this.pathStrips.length === 0) return;
     this.setState();
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
@@ -279,16 +279,16 @@ export class PathLayer {
     this.screen.set1i("kept", 0);
     this.screen.set1i("known", 1);
     this.screen.set1i("depth", 2);
-    this.screen.set1f("dimmed", appearance.dimmed);
-    this.screen.set1f("lightened", appearance.lightened);
+    this.screen.set1f("dimmed", look.dimmed);
+    this.screen.set1f("lightened", look.lightened);
     const now_s = new Float32Array(32).fill(Infinity);
-    now_s.set(appearance.now_s);
-    gl.uniform1fv(this.screen.location("now_s"), now_s);
+    now_s.set(look.now_s);
+    gl.uniform1fv(this.screen.place("now_s"), now_s);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
   /** Draws ranges over all else; parts hidden by nearer bodies are faint. */
-  drawHighlight(accent: HighlightedRanges, appearance: FrameAppearance): void {
+  drawHighlight(accent: HighlightedRanges, look: FrameAppearance): void {
     const { gl } = this;
     const pathStrip = this.pathStrips.find(({ robot }) => robot === accent.robot);
     if (!pathStrip || accent.ranges.length === 0) return;
@@ -296,10 +296,10 @@ export class PathLayer {
     gl.depthMask(false);
     const program = this.displayedWide;
     program.use();
-    this.setSize(program, appearance, accent.width_px * appearance.pixelRatio);
-    gl.uniform1i(program.location("rapids"), 1);
-    gl.uniform1i(program.location("clean"), 1);
-    gl.uniform4fv(program.location("paint"), [...accent.colour, 1]);
+    this.setSize(program, look, accent.width_px * look.pixelRatio);
+    gl.uniform1i(program.place("rapids"), 1);
+    gl.uniform1i(program.place("clean"), 1);
+    gl.uniform4fv(program.place("paint"), [...accent.colour, 1]);
     program.set1f("nearer", 1e-4);
     for (const [comparison, share] of [
       [gl.LEQUAL, 1],
@@ -309,10 +309,10 @@ export class PathLayer {
       const opacity = accent.opacity * share;
       program.set1f("opacity", opacity);
       // Overlaps of parts would be visible with transparency.
-      program.set1f("join_px", opacity < 1 ? 0 : 0.25 * accent.width_px * appearance.pixelRatio);
+      program.set1f("join_px", opacity < 1 ? 0 : 0.25 * accent.width_px * look.pixelRatio);
       program.set1f("small_mm", 0);
       for (const [from, to] of accent.ranges) {
-        pathStrip.draw(program, appearance.matrices[pathStrip.frame], from, to, Math.ceil((to - from) / MAX_HIGHLIGHT_SEGMENTS) || 1, true);
+        pathStrip.draw(program, look.matrices[pathStrip.frame], from, to, Math.ceil((to - from) / MAX_HIGHLIGHT_SEGMENTS) || 1, true);
       }
     }
     gl.depthMask(true);

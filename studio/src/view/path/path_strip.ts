@@ -53,8 +53,8 @@ export class PathStrip {
     let row = 0;
     for (const sheet of this.pathTextures) {
       let from = sheet.first + 1;
-      for (const { segmentCount } of sheet.rows) {
-        const [stride, to] = [strides[row++], from + segmentCount];
+      for (const { pieces } of sheet.rows) {
+        const [stride, to] = [strides[row++], from + pieces];
         const last = draws.at(-1);
         if (last?.to === from && last.stride === stride) last.to = to;
         else if (stride > 0) draws.push({ pathStrip: this, from, to, stride });
@@ -70,24 +70,24 @@ export class PathStrip {
     program.set1i("points", 0);
     program.set1i("colours", 1);
     program.set1i("stride", stride);
-    gl.uniform1ui(program.location("robot"), this.robot);
-    gl.uniformMatrix4fv(program.location("matrix"), false, matrix.elements);
+    gl.uniform1ui(program.place("robot"), this.robot);
+    gl.uniformMatrix4fv(program.place("matrix"), false, matrix.elements);
     for (let k = Math.floor((Math.max(from, 1) - 1) / SEGMENTS_PER_TEXTURE); k < this.pathTextures.length; ++k) {
       const sheet = this.pathTextures[k];
       const [begin, end] = [Math.max(from - sheet.first, 1), Math.min(to, sheet.end) - sheet.first];
       if (sheet.first + 1 >= to) break;
-      const segmentCount = Math.floor((end - begin) / stride);
-      if (segmentCount < 0) continue;
+      const pieces = Math.floor((end - begin) / stride);
+      if (pieces < 0) continue;
       sheet.bind();
       program.set1i("first", begin);
       program.set1i("base", sheet.first);
-      this.drawSegments(segmentCount, wide);
+      this.drawSegments(pieces, wide);
       // Remainder after the last step; not drawn while the camera moves.
-      const remainder = end - begin - segmentCount * stride;
-      if (remainder === 0 || stride > MAX_STRIDE) continue;
+      const rest = end - begin - pieces * stride;
+      if (rest === 0 || stride > MAX_STRIDE) continue;
       program.set1i("stride", 1);
-      program.set1i("first", end - remainder);
-      this.drawSegments(remainder, wide);
+      program.set1i("first", end - rest);
+      this.drawSegments(rest, wide);
       program.set1i("stride", stride);
     }
   }

@@ -2,7 +2,7 @@
 
 export class Program {
   private readonly program: WebGLProgram;
-  private readonly locations = new Map<string, WebGLUniformLocation | null>();
+  private readonly places = new Map<string, WebGLUniformLocation | null>();
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
@@ -30,16 +30,16 @@ export class Program {
     this.gl.useProgram(this.program);
   }
 
-  location(name: string): WebGLUniformLocation | null {
-    if (!this.locations.has(name)) this.locations.set(name, this.gl.getUniformLocation(this.program, name));
-    return this.locations.get(name)!;
+  place(name: string): WebGLUniformLocation | null {
+    if (!this.places.has(name)) this.places.set(name, this.gl.getUniformLocation(this.program, name));
+    return this.places.get(name)!;
   }
 
   set1i(name: string, value: number): void {
-    this.gl.uniform1i(this.location(name), value);
+    this.gl.uniform1i(this.place(name), value);
   }
 
   set1f(name: string, value: number): void {
-    this.gl.uniform1f(this.location(name), value);
+    this.gl.uniform1f(this.place(name), value);
   }
 }

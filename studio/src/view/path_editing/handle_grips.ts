@@ -50,10 +50,10 @@ const toScreen = ({ work, rig }: HandleContext, point: Vector3): Vector2 | null 
 const viewDirection = ({ work, rig }: HandleContext): Vector3 => rig.basis().back.transformDirection(work.clone().invert());
 
 function distanceToSegment(p: Vector2, a: Vector2, b: Vector2): number {
-  const difference = b.clone().sub(a);
-  const size = difference.lengthSq();
-  const share = size > 0 ? Math.min(Math.max(p.clone().sub(a).dot(difference) / size, 0), 1) : 0;
-  return p.distanceTo(difference.multiplyScalar(share).add(a));
+  const way = b.clone().sub(a);
+  const size = way.lengthSq();
+  const share = size > 0 ? Math.min(Math.max(p.clone().sub(a).dot(way) / size, 0), 1) : 0;
+  return p.distanceTo(way.multiplyScalar(share).add(a));
 }
 
 /** Returns the plane of the work with the best view. */
@@ -107,14 +107,14 @@ function alongAxis(ray: Ray, at: Vector3, axis: Vector3): number | null {
 
 /** Drag of a grip: converts the pointer position to a motion of the point. */
 export class HandleDrag {
-  private readonly start: number | Vector3 | null;
+  private readonly begun: number | Vector3 | null;
 
   constructor(
     private readonly handleContext: HandleContext,
     private readonly grip: HandleGrip,
     private readonly start_px: Vector2,
   ) {
-    this.start = this.measure(start_px.x, start_px.y);
+    this.begun = this.measure(start_px.x, start_px.y);
   }
 
   /** Measures along the axis, in the plane, or the angle about the axis. */
@@ -124,20 +124,20 @@ export class HandleDrag {
     const ray = rayAt(handleContext, x_px, y_px);
     if (grip.kind === "move") return alongAxis(ray, handleContext.at, axis);
     const plane = new Plane().setFromNormalAndCoplanarPoint(axis, handleContext.at);
-    const intersection = Math.abs(axis.dot(ray.direction)) > MIN_SINE ? ray.intersectPlane(plane, new Vector3()) : null;
-    if (grip.kind === "plane") return intersection;
-    if (!intersection) return null;
-    const off = intersection.sub(handleContext.at);
+    const place = Math.abs(axis.dot(ray.direction)) > MIN_SINE ? ray.intersectPlane(plane, new Vector3()) : null;
+    if (grip.kind === "plane") return place;
+    if (!place) return null;
+    const off = place.sub(handleContext.at);
     return Math.atan2(off.getComponent((grip.axis + 2) % 3), off.getComponent((grip.axis + 1) % 3));
   }
 
   /** Returns the motion of the point for a drag to a position, mm, in full steps. */
   shift(x_px: number, y_px: number): Vector3 {
     const now = this.measure(x_px, y_px);
-    const { start, grip } = this;
+    const { begun, grip } = this;
     const shift = new Vector3();
-    if (typeof now === "number" && typeof start === "number") shift.setComponent(grip.axis, now - start);
-    else if (now instanceof Vector3 && start instanceof Vector3) shift.copy(now).sub(start);
+    if (typeof now === "number" && typeof begun === "number") shift.setComponent(grip.axis, now - begun);
+    else if (now instanceof Vector3 && begun instanceof Vector3) shift.copy(now).sub(begun);
     const step = 10 ** Math.floor(Math.log10(handleScale(this.handleContext)));
     return new Vector3(...shift.toArray().map((mm) => Math.round(mm / step) * step));
   }
@@ -145,8 +145,8 @@ export class HandleDrag {
   /** Returns the rotation of the tool for a drag to a position. */
   turn(x_px: number, y_px: number): Quaternion {
     const now = this.measure(x_px, y_px);
-    const isOnRing = typeof now === "number" && typeof this.start === "number";
-    const angle = isOnRing ? now - (this.start as number) : this.angleByTangent(x_px, y_px);
+    const isOnRing = typeof now === "number" && typeof this.begun === "number";
+    const angle = isOnRing ? now - (this.begun as number) : this.angleByTangent(x_px, y_px);
     const rounded = Math.round((angle * 180) / Math.PI) * (Math.PI / 180);
     return new Quaternion().setFromAxisAngle(unitVector(this.grip.axis), rounded);
   }

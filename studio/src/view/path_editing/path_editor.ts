@@ -76,17 +76,17 @@ export class PathEditor implements Draggable {
   }
 
   /** Chosen point, as in the file. */
-  private get chosen(): { targetId: TargetId; point: Point; displayed: DisplayedPath } | null {
+  private get chosen(): { place: TargetId; point: Point; displayed: DisplayedPath } | null {
     const { displayed } = this;
-    const targetId = this.on.store.get("pathPoint");
-    const point = displayed && targetId ? pointAt(displayed.file, targetId) : undefined;
-    return displayed && targetId && point ? { targetId, point, displayed } : null;
+    const place = this.on.store.get("pathPoint");
+    const point = displayed && place ? pointAt(displayed.file, place) : undefined;
+    return displayed && place && point ? { place, point, displayed } : null;
   }
 
   /** Returns the orientation at the chosen point: its own, or the one before it. */
   private orientation(): Orientation {
     const { chosen } = this;
-    return chosen ? stateAfter(chosen.displayed.walk.before.get(targetKey(chosen.targetId)) ?? {}, chosen.point) : {};
+    return chosen ? stateAfter(chosen.displayed.walk.before.get(targetKey(chosen.place)) ?? {}, chosen.point) : {};
   }
 
   private direction(): Vector3 | null {
@@ -124,10 +124,10 @@ export class PathEditor implements Draggable {
     if (!this.displayed) return false;
     const near = this.marks.near(x_px, y_px, HIT_DISTANCE_PX, this.work, this.on.rig);
     if (near.length === 0) return false;
-    const at = near.findIndex(({ targetId }) => isSameTarget(targetId, this.on.store.get("pathPoint")));
+    const at = near.findIndex(({ place }) => isSameTarget(place, this.on.store.get("pathPoint")));
     const together = near.filter(({ at: each }) => each.distanceTo(near[Math.max(at, 0)].at) < 1e-6);
-    const next = together[(together.findIndex(({ targetId }) => isSameTarget(targetId, this.on.store.get("pathPoint"))) + 1) % together.length];
-    this.on.store.set("pathPoint", at < 0 ? near[0].targetId : next.targetId);
+    const behind = together[(together.findIndex(({ place }) => isSameTarget(place, this.on.store.get("pathPoint"))) + 1) % together.length];
+    this.on.store.set("pathPoint", at < 0 ? near[0].place : behind.place);
     return true;
   }
 
@@ -191,15 +191,15 @@ export class PathEditor implements Draggable {
     return activeDrag !== null;
   }
 
-  private turned({ targetId, displayed }: { targetId: TargetId; displayed: DisplayedPath }, orientation: Orientation, handleDrag: HandleDrag, x: number, y: number): string {
+  private turned({ place, displayed }: { place: TargetId; displayed: DisplayedPath }, orientation: Orientation, handleDrag: HandleDrag, x: number, y: number): string {
     const change = rotateOrientation(orientation, handleDrag.turn(x, y), shownRobot(this.on.store)?.chain ?? null);
-    return change ? setTarget(displayed.text, targetId, change) : displayed.text;
+    return change ? setTarget(displayed.text, place, change) : displayed.text;
   }
 }
 
-function moved({ targetId, point, displayed }: { targetId: TargetId; point: Point; displayed: DisplayedPath }, handleDrag: HandleDrag, x: number, y: number): string {
+function moved({ place, point, displayed }: { place: TargetId; point: Point; displayed: DisplayedPath }, handleDrag: HandleDrag, x: number, y: number): string {
   const [dx, dy, dz] = handleDrag.shift(x, y).toArray();
   const [px, py, pz] = point.position_mm;
   if (dx === 0 && dy === 0 && dz === 0) return displayed.text;
-  return movePoint(displayed.text, displayed.file, displayed.walk, targetId, [px + dx, py + dy, pz + dz]);
+  return movePoint(displayed.text, displayed.file, displayed.walk, place, [px + dx, py + dy, pz + dz]);
 }

@@ -34,7 +34,7 @@ const MIN_ARROW_DISTANCE_PX = 28;
 const MAX_ARROWS = 400;
 
 interface Dot {
-  targetId: TargetId;
+  place: TargetId;
   at: Vector3;
 }
 
@@ -88,8 +88,8 @@ export class PathMarks {
     this.rapids.computeLineDistances();
     this.dots = pathDots(displayed);
     this.points.geometry.dispose();
-    const positions = new Float32Array(this.dots.flatMap(({ at }) => at.toArray()));
-    this.points.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(positions, 3));
+    const places = new Float32Array(this.dots.flatMap(({ at }) => at.toArray()));
+    this.points.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
   }
 
   recolour(colours: Palette): void {
@@ -141,6 +141,6 @@ function motionMiddle({ from_mm, to_mm, arc }: Motion): [at: Vector, along: Vect
 const pathDots = (displayed: DisplayedPath | null): Dot[] =>
   displayed?.file.paths.flatMap(({ targets }, path) =>
     targets.flatMap((each, target) =>
-      isPoint(each) ? [{ targetId: { path, target }, at: new Vector3(...each.position_mm) }] : [],
+      isPoint(each) ? [{ place: { path, target }, at: new Vector3(...each.position_mm) }] : [],
     ),
   ) ?? [];

@@ -7,8 +7,8 @@ import { setLines } from "../marks/grid";
 const HALF_SIZE_M = 20;
 
 /** Draws each line in parts of a metre: some renderers drop a line that continues behind the eye. */
-export function createFloor(material: LineBasicMaterial): LineSegments<BufferGeometry, LineBasicMaterial> {
-  const floor = new LineSegments(new BufferGeometry(), material);
+export function createFloor(look: LineBasicMaterial): LineSegments<BufferGeometry, LineBasicMaterial> {
+  const floor = new LineSegments(new BufferGeometry(), look);
   const ends: number[] = [];
   for (let line = -HALF_SIZE_M; line <= HALF_SIZE_M; ++line) {
     for (let at = -HALF_SIZE_M; at < HALF_SIZE_M; ++at) ends.push(at, 0, line, at + 1, 0, line, line, 0, at, line, 0, at + 1);

@@ -44,9 +44,9 @@ export class FloorPose {
 
   /** Walks in the direction of the head: so far to the right, so far forward. */
   walk(head: HeadPose, right_m: number, on_m: number): void {
-    const step = turned({ x_m: right_m, z_m: -on_m }, this.turn + head.turn);
-    this.x_m += step.x_m;
-    this.z_m += step.z_m;
+    const way = turned({ x_m: right_m, z_m: -on_m }, this.turn + head.turn);
+    this.x_m += way.x_m;
+    this.z_m += way.z_m;
   }
 
   /** Turns on the spot. */

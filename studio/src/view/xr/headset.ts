@@ -26,10 +26,10 @@ function readHeadPose({ transform: { position, orientation } }: XRViewerPose): H
 }
 
 export class XrSession {
-  private readonly floorPose = new FloorPose();
+  private readonly place = new FloorPose();
   private readonly sticks = new Sticks();
   private readonly xrScene: XrScene;
-  private isPlaced = false;
+  private stands = false;
   private before_ms: number | null = null;
 
   constructor(
@@ -40,7 +40,7 @@ export class XrSession {
   ) {
     this.xrScene = new XrScene(view);
     session.addEventListener("select", () => store.set("playing", !store.get("playing") && store.get("run") !== null));
-    session.addEventListener("squeeze", () => (this.isPlaced = false));
+    session.addEventListener("squeeze", () => (this.stands = false));
   }
 
   /** Called when a picture of the headset is due. */
@@ -52,16 +52,16 @@ export class XrSession {
     this.before_ms = now_ms;
     if (!pose) return; // not worn, or its pose is unknown
     this.go(readHeadPose(pose), elapsed_s);
-    this.xrScene.draw(this.floorPose, this.view.arrange());
+    this.xrScene.draw(this.place, this.view.arrange());
   }
 
   private go(head: HeadPose, elapsed_s: number): void {
-    if (!this.isPlaced) this.floorPose.placeHead(head, this.xrScene.entry);
-    this.isPlaced = true;
-    const { right, on, turns } = this.sticks.read([...this.session.inputSources].filter(isThumbstick).map(readStick));
+    if (!this.stands) this.place.placeHead(head, this.xrScene.entry);
+    this.stands = true;
+    const { right, on, turns } = this.sticks.ask([...this.session.inputSources].filter(isThumbstick).map(readStick));
     const distance_m = SPEED_M_S * elapsed_s;
-    this.floorPose.walk(head, right * distance_m, on * distance_m);
-    if (turns !== 0) this.floorPose.turnBy(head, (-turns * STEP_DEG * Math.PI) / 180);
+    this.place.walk(head, right * distance_m, on * distance_m);
+    if (turns !== 0) this.place.turnBy(head, (-turns * STEP_DEG * Math.PI) / 180);
   }
 
   end(): void {

@@ -28,15 +28,15 @@ const applyDeadZone = (value: number): number => (Math.abs(value) < DEAD_ZONE ? 
 export class Sticks {
   private readonly turned = new Set<string>();
 
-  read(sticks: Stick[]): StickInput {
-    const input = { right: 0, on: 0, turns: 0 };
+  ask(sticks: Stick[]): StickInput {
+    const asked = { right: 0, on: 0, turns: 0 };
     const single = sticks.length < 2;
     for (const { hand, x, y } of sticks) {
-      if (single || hand === "left") input.on -= applyDeadZone(y);
-      if (!single && hand === "left") input.right += applyDeadZone(x);
-      if (single || hand === "right") input.turns += this.turns(hand, x);
+      if (single || hand === "left") asked.on -= applyDeadZone(y);
+      if (!single && hand === "left") asked.right += applyDeadZone(x);
+      if (single || hand === "right") asked.turns += this.turns(hand, x);
     }
-    return input;
+    return asked;
   }
 
   /** Once for each push. */

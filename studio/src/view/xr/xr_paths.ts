@@ -1,4 +1,4 @@
-// Paths of all robots in a headset: redrawn for each eye, among the bodies. The page's stored picture uses
+// Paths of all robots in a headset: redrawn for each eye, among the bodies. The page's kept picture uses
 // pixels of the screen; here positions of the world are used, so that both eyes see the same: rapids are
 // dashed by length.
 
@@ -22,10 +22,10 @@ class PathMesh {
   constructor(
     private readonly pathStrip: PathStrip,
     sheet: PathTexture,
-    segmentCount: number,
+    pieces: number,
   ) {
     const { data, robot } = pathStrip;
-    const stride = Math.max(1, Math.ceil(segmentCount / MAX_SEGMENTS));
+    const stride = Math.max(1, Math.ceil(pieces / MAX_SEGMENTS));
     const texture = (source: WebGLTexture) => new ExternalTexture(source);
     const size_mm = data.bounds.max.distanceTo(data.bounds.min);
     const values = {
@@ -53,18 +53,18 @@ class PathMesh {
     this.mesh.material.uniformsNeedUpdate = true;
   }
 
-  show(appearance: FrameAppearance, works: Matrix4[]): void {
+  show(look: FrameAppearance, works: Matrix4[]): void {
     const { frame, robot } = this.pathStrip;
     const old = robot === PREVIOUS_RUN;
     const { uniforms } = this.mesh.material;
-    this.mesh.visible = frame < works.length && (!old || appearance.compare);
+    this.mesh.visible = frame < works.length && (!old || look.compare);
     if (!this.mesh.visible) return;
     this.mesh.matrix.copy(works[frame]);
     // After the end all is done; a finite number is used, because shaders need not support infinity.
-    const now_s = old ? Infinity : appearance.now_s[frame];
-    const values = { rapids: appearance.rapids, now_s: Math.min(now_s, 3e38), dimmed: appearance.dimmed, lightened: appearance.lightened };
+    const now_s = old ? Infinity : look.now_s[frame];
+    const values = { rapids: look.rapids, now_s: Math.min(now_s, 3e38), dimmed: look.dimmed, lightened: look.lightened };
     for (const [name, value] of Object.entries(values)) uniforms[name].value = value;
-    if (old) uniforms.paint.value = [...appearance.compareColour, 1];
+    if (old) uniforms.paint.value = [...look.compareColour, 1];
   }
 
   /** Its textures belong to the page. */
@@ -79,16 +79,16 @@ export class XrPaths {
   private pathStrips: readonly PathStrip[] = [];
   private pathMeshes: PathMesh[] = [];
 
-  show(layer: PathLayer, appearance: FrameAppearance, works: Matrix4[]): void {
+  show(layer: PathLayer, look: FrameAppearance, works: Matrix4[]): void {
     if (this.pathStrips !== layer.visibleStrips) this.setContent(layer.visibleStrips);
-    for (const pathMesh of this.pathMeshes) pathMesh.show(appearance, works);
+    for (const pathMesh of this.pathMeshes) pathMesh.show(look, works);
   }
 
   private setContent(pathStrips: readonly PathStrip[]): void {
     this.dispose();
     this.pathStrips = pathStrips;
-    const segmentCount = pathStrips.reduce((sum, { data }) => sum + data.count, 0);
-    this.pathMeshes = pathStrips.flatMap((pathStrip) => pathStrip.pathTextures.map((sheet) => new PathMesh(pathStrip, sheet, segmentCount)));
+    const pieces = pathStrips.reduce((sum, { data }) => sum + data.count, 0);
+    this.pathMeshes = pathStrips.flatMap((pathStrip) => pathStrip.pathTextures.map((sheet) => new PathMesh(pathStrip, sheet, pieces)));
     for (const { mesh } of this.pathMeshes) this.group.add(mesh);
   }
 

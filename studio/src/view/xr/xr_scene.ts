@@ -52,15 +52,15 @@ export class XrScene {
   }
 
   /** Draws both eyes; the page's scene is lent for it, and is unchanged afterwards. */
-  draw(floorPose: FloorPose, appearance: FrameAppearance): void {
+  draw(place: FloorPose, look: FrameAppearance): void {
     const { view, cell, viewer } = this;
     const { renderer } = view.canvas;
     const { scene } = view.runScene;
     const frame = view.displayed;
     renderer.getClearColor(this.background);
-    viewer.position.set(floorPose.x_m, 0, floorPose.z_m);
-    viewer.rotation.y = floorPose.turn;
-    this.xrPaths.show(view.layer, appearance, frame?.instants.map(({ linkPoses }) => linkPoses.work) ?? []);
+    viewer.position.set(place.x_m, 0, place.z_m);
+    viewer.rotation.y = place.turn;
+    this.xrPaths.show(view.layer, look, frame?.instants.map(({ linkPoses }) => linkPoses.work) ?? []);
     // They are placed for the camera of the page.
     view.runScene.directions.group.visible = false;
     view.runScene.follow(this.lamp);

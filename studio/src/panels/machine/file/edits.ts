@@ -27,12 +27,12 @@ export class Edits {
 
   /**
    * Makes changes of the shown file; a sample is copied first. Returns an empty text, or why nothing was
-   * changed. Calls `onPrepared` when it is certain what the change will be, before anything is redrawn.
+   * changed. Calls `made` when it is certain what the change will be, before anything is redrawn.
    */
-  change(part: FileRole, label: string, changes: TomlChange[], onPrepared = () => {}): Promise<string> {
+  change(part: FileRole, label: string, changes: TomlChange[], made = () => {}): Promise<string> {
     const file = this.model.file(part);
     const change = async () => (this.isStillUsed(part, file) ? this.changed(part, changes) : null);
-    return this.queue(() => this.make(label, change, onPrepared));
+    return this.queue(() => this.make(label, change, made));
   }
 
   /** True if a part still uses the given file, or the copy of that. */
@@ -42,7 +42,7 @@ export class Edits {
   }
 
   /** Copies the file if it is a sample; returns the name of the file that may be changed. */
-  async editableFile(part: FileRole): Promise<string> {
+  async own(part: FileRole): Promise<string> {
     const file = await this.untilSettled(part);
     if (file !== this.model.file(part)) return file;
     const name = this.userFileName(part);
@@ -66,7 +66,7 @@ export class Edits {
   }
 
   /** A change of null means that its file is no longer in use. */
-  private async make(label: string, change: () => Promise<Change | null>, onPrepared: () => void): Promise<string> {
+  private async make(label: string, change: () => Promise<Change | null>, made: () => void): Promise<string> {
     const { history } = this.model.session;
     try {
       for (let i = 0; i < MAX_ATTEMPTS; ++i) {
@@ -76,7 +76,7 @@ export class Edits {
         // The user may have edited the text meanwhile.
         if (before !== this.currentTexts()) continue;
         if (!requested) return this.dropped(words.otherFile(label));
-        onPrepared();
+        made();
         history.edit(label, requested);
         await this.model.read();
         return "";
@@ -89,9 +89,9 @@ export class Edits {
   }
 
   /** Reports in the notice, because the form that requested it may now show something else. */
-  private dropped(message: string): string {
-    this.model.store.set("notice", message);
-    return message;
+  private dropped(why: string): string {
+    this.model.store.set("notice", why);
+    return why;
   }
 
   /** Returns the inputs of a change: the texts of the files, and their names. */

@@ -34,7 +34,7 @@ export class Model {
   controllerBase: TomlTable = {};
   private isVisible = false;
   private reading: Promise<void> = Promise.resolve();
-  private requestNumber = 0;
+  private asked = 0;
   private readonly updateTimer = new Debounced(() => void this.read());
   private readonly listeners = new Set<() => void>();
   /** Texts that have been read. */
@@ -89,7 +89,7 @@ export class Model {
   }
 
   private async readAll(): Promise<void> {
-    const requestNumber = ++this.requestNumber;
+    const asked = ++this.asked;
     const parts = new Map<FileRole, LoadedFile>();
     const load = async (part: FileRole, file: string) => {
       if (file) parts.set(part, await this.load(file));
@@ -109,7 +109,7 @@ export class Model {
     const controller = isTomlFile(model) ? await load("controller", resolved(machine!.file, model)) : undefined;
     const base = controller ? textAt(controller.value ?? {}, ["controller", "model"]) : model;
     const loadedBase = await this.load(`${CONTROLLERS}${base || DEFAULT_MODEL}.toml`);
-    if (requestNumber !== this.requestNumber) return this.reading;
+    if (asked !== this.asked) return this.reading;
     this.parts.clear();
     for (const [part, loaded] of parts) this.parts.set(part, loaded);
     this.controllerBase = (loadedBase.value?.controller ?? {}) as TomlTable;

@@ -105,7 +105,7 @@ export class Field {
     const isWriting = document.activeElement === this.control && this.control.value !== this.displayed;
     if (isWriting && text === this.displayed) return;
     if (this.control.value !== text) this.control.value = text;
-    if (text !== this.displayed) this.showError("");
+    if (text !== this.displayed) this.say("");
     this.displayed = text;
   }
 
@@ -120,10 +120,10 @@ export class Field {
     const { kind, choices = [], isRequired } = this.spec;
     const known = kind === "switch" ? ([["true", words.yes], ["false", words.no]] as const) : choices;
     const value = this.textOf(this.value);
-    const unknown = value && !known.some(([each]) => each === value) ? [[value, value] as const] : [];
-    if (isRequired) return [...known, ...unknown];
+    const strange = value && !known.some(([each]) => each === value) ? [[value, value] as const] : [];
+    if (isRequired) return [...known, ...strange];
     const fallback = known.find(([each]) => each === this.textOf(this.fallback))?.[1];
-    return [["", fallback === undefined ? words.notSaid : words.asElse(fallback)], ...known, ...unknown];
+    return [["", fallback === undefined ? words.notSaid : words.asElse(fallback)], ...known, ...strange];
   }
 
   /** Returns the typed value for the file, or an error message if it is not valid. */
@@ -135,8 +135,8 @@ export class Field {
     const parts = text.split(",").map((each) => each.trim()).filter((each) => each !== "");
     if (kind === "list") return { value: parts };
     if (kind === "numbers") {
-      const invalid = parts.find((part) => parseNumber(part, unit, "mm") === null);
-      return invalid === undefined ? { value: parts.map((part) => parseNumber(part, unit, "mm")) } : { error: words.noNumber(invalid) };
+      const strange = parts.find((part) => parseNumber(part, unit, "mm") === null);
+      return strange === undefined ? { value: parts.map((part) => parseNumber(part, unit, "mm")) } : { error: words.noNumber(strange) };
     }
     if (kind === "text" || kind === "choice") return { value: text };
     const value = parseNumber(text, unit, this.store.get("units"));
@@ -158,19 +158,19 @@ export class Field {
 
   private async submit(): Promise<void> {
     const written = this.written();
-    if ("error" in written) return this.showError(written.error);
-    this.showError("");
-    this.showError(await this.commit(written.value));
+    if ("error" in written) return this.say(written.error);
+    this.say("");
+    this.say(await this.commit(written.value));
   }
 
   private key(event: KeyboardEvent): void {
     if (event.key !== "Escape" || this.control.value === this.displayed || this.control instanceof HTMLSelectElement) return;
     event.preventDefault();
     this.control.value = this.displayed;
-    this.showError("");
+    this.say("");
   }
 
-  private showError(error: string): void {
+  private say(error: string): void {
     this.error.textContent = error;
     this.error.hidden = !error;
     this.control.setAttribute("aria-invalid", String(error !== ""));

@@ -58,16 +58,16 @@ export class Keys {
    * its kind.
    */
   async of(file: SchemaKind): Promise<(at: string, kind?: string) => Key[]> {
-    const pending = this.known.get(file) ?? this.requestTables(file);
-    this.known.set(file, pending);
-    const tables = await pending;
+    const asked = this.known.get(file) ?? this.ask(file);
+    this.known.set(file, asked);
+    const tables = await asked;
     return (at, kind) => {
       const isMatch = ({ at: steps, where }: Table) => steps.join(".") === at && (!where || !kind || Object.values(where).includes(kind));
       return tables.find(isMatch)?.keys ?? [];
     };
   }
 
-  private async requestTables(file: SchemaKind): Promise<Table[]> {
+  private async ask(file: SchemaKind): Promise<Table[]> {
     const { messages } = await this.session.sendRequest({ do: "keys", of: file }, {}, new Map());
     return (messages.find(({ is }) => is === "keys")?.header.tables ?? []) as Table[];
   }

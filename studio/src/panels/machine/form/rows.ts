@@ -45,7 +45,7 @@ export class Rows {
   ) {
     this.element = element("div", { class: name });
     for (const [key, spec] of Object.entries(specs)) {
-      const field = new Field(context.store, spec, (value) => this.setValue(key, spec.label, value));
+      const field = new Field(context.store, spec, (value) => this.put(key, spec.label, value));
       this.fields.set(key, field);
       this.element.append(field.element);
     }
@@ -65,12 +65,12 @@ export class Rows {
     return nameIn(this.table, key, this.specs[key]?.formerly);
   }
 
-  private setValue(key: string, label: string, value: Toml | undefined): Promise<string> {
+  private put(key: string, label: string, value: Toml | undefined): Promise<string> {
     const { part, at, owner } = this.home();
     const name = this.nameInFile(key);
-    const path = [...at, name];
+    const place = [...at, name];
     if (value === undefined && this.table[name] === undefined) return Promise.resolve("");
-    const change = value === undefined ? ({ op: "remove", at: path } as const) : ({ op: "set", at: path, value } as const);
+    const change = value === undefined ? ({ op: "remove", at: place } as const) : ({ op: "set", at: place, value } as const);
     return this.context.edits.change(part, words.changed(owner, label), [change]);
   }
 }

@@ -45,9 +45,9 @@ export class WordRows {
   private make(name: string): Field {
     return new Field(this.context.store, { ...this.spec, label: name }, (value) => {
       const { part, at, owner } = this.home();
-      const path = [...at, name];
+      const place = [...at, name];
       return this.context.edits.change(part, texts.machine.changed(owner, name), [
-        value === undefined ? { op: "remove", at: path } : { op: "set", at: path, value },
+        value === undefined ? { op: "remove", at: place } : { op: "set", at: place, value },
       ]);
     });
   }

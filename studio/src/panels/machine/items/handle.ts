@@ -24,17 +24,17 @@ export class Handle {
   /** Moves the handle to the chosen item, or removes it. */
   draw(): void {
     const { item } = this.chosen;
-    const handlePose = item && this.handlePose(item);
+    const place = item && this.handlePose(item);
     const displayed = this.context.store.get("handle");
-    if (!item || !handlePose) {
+    if (!item || !place) {
       if (displayed?.owner === this) this.context.store.set("handle", null);
       return;
     }
     this.context.store.set("handle", {
       owner: this,
-      parent: handlePose.parent.toArray(),
-      pose: handlePose.pose.toArray(),
-      frame: handlePose.frame,
+      parent: place.parent.toArray(),
+      pose: place.pose.toArray(),
+      frame: place.frame,
       moved: (pose) => void this.moved(item, new Matrix4().fromArray(pose)),
     });
   }

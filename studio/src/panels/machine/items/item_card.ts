@@ -50,7 +50,7 @@ export class ItemCard implements Card {
     const home = (below: TomlPath = []) => (): TableLocation => ({ part, at: [...this.at, ...below], owner: this.called });
     this.name = new Field(store, { label: words.name, kind: "text", isRequired: true }, (value) => this.rename(String(value)));
     const attach = { label: kind === "shape" ? words.on : words.attachedTo, kind: "choice" as const, isRequired: kind === "shape" };
-    this.parentField = new Field(store, attach, (value) => this.setValue(attach.label, attachKey(kind), value));
+    this.parentField = new Field(store, attach, (value) => this.put(attach.label, attachKey(kind), value));
     const roles = (["fixture", "workpiece"] as const).map((each) => [each, words.roles[each]] as const);
     this.role = new Rows(context, kind === "object" ? { role: { label: words.role, kind: "choice", choices: roles, meaning: words.roleHint } } : {}, home());
     const kinds = shapeKinds.map((each) => [each, words.shapes[each]] as const);
@@ -158,11 +158,11 @@ export class ItemCard implements Card {
     this.chosen.choose(this.element.open ? { part: this.part, kind: this.kind, name: this.called } : null);
   }
 
-  private edit(what: string, changes: TomlChange[], onPrepared?: () => void): Promise<string> {
-    return this.context.edits.change(this.part, texts.machine.changed(this.called, what), changes, onPrepared);
+  private edit(what: string, changes: TomlChange[], made?: () => void): Promise<string> {
+    return this.context.edits.change(this.part, texts.machine.changed(this.called, what), changes, made);
   }
 
-  private setValue(label: string, key: string, value: Toml | undefined): Promise<string> {
+  private put(label: string, key: string, value: Toml | undefined): Promise<string> {
     const at = [...this.at, key];
     if (value === undefined && this.table[key] === undefined) return Promise.resolve("");
     return this.edit(label, [value === undefined ? { op: "remove", at } : { op: "set", at, value }]);

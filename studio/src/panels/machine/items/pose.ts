@@ -15,15 +15,15 @@ export function poseMatrix(pose: TomlTable): Matrix4 {
 
 /** Returns a rigid matrix as the table of a frame, with so many digits. */
 export function toPose(matrix: Matrix4, digits: number): TomlTable {
-  const position = new Vector3().setFromMatrixPosition(matrix);
+  const place = new Vector3().setFromMatrixPosition(matrix);
   const { x, y, z } = new Euler().setFromRotationMatrix(matrix, "ZYX");
   // Avoids "-0".
   const rounded = (value: number) => Number(value.toFixed(digits)) + 0;
   const angle = (radians: number) => rounded(radToDeg(radians));
   return {
-    x_mm: rounded(position.x),
-    y_mm: rounded(position.y),
-    z_mm: rounded(position.z),
+    x_mm: rounded(place.x),
+    y_mm: rounded(place.y),
+    z_mm: rounded(place.z),
     roll_deg: angle(z),
     pitch_deg: angle(y),
     yaw_deg: angle(x),

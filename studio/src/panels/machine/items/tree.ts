@@ -34,7 +34,7 @@ export function ignoredPairs(value: TomlTable): [string, string][] {
 
 /** Returns the changes for a new name, also in references. */
 export function renameChanges(value: TomlTable, at: TomlPath, from: string, to: string): TomlChange[] {
-  const attached = itemsAttachedTo(value, from).map(({ at: itemPath }): TomlChange => ({ op: "set", at: [...itemPath, "attached_to"], value: to }));
+  const attached = itemsAttachedTo(value, from).map(({ at: place }): TomlChange => ({ op: "set", at: [...place, "attached_to"], value: to }));
   const ignored = ignoredPairs(value).flatMap((pair, i) =>
     pair.flatMap((name, part): TomlChange[] => (name === from ? [{ op: "set", at: ["ignore", i, part], value: to }] : [])),
   );
@@ -46,12 +46,12 @@ export function removeChanges(value: TomlTable, kind: ItemKind, index: number): 
   const table = tablesAt(value, [kind])[index];
   const name = textAt(table, ["name"]);
   const parent = textAt(table, ["attached_to"]);
-  const itemPose = poseMatrix(tableAt(table, ["frame"]));
+  const own = poseMatrix(tableAt(table, ["frame"]));
   const left = itemsAttachedTo(value, name).flatMap(({ at, table: other }): TomlChange[] => {
     const pose = tableAt(other, ["frame"]);
-    const newPose = toPose(new Matrix4().multiplyMatrices(itemPose, poseMatrix(pose)), DIGITS);
+    const place = toPose(new Matrix4().multiplyMatrices(own, poseMatrix(pose)), DIGITS);
     const again: TomlChange = parent ? { op: "set", at: [...at, "attached_to"], value: parent } : { op: "remove", at: [...at, "attached_to"] };
-    return [again, ...poseChanges([...at, "frame"], pose, newPose)];
+    return [again, ...poseChanges([...at, "frame"], pose, place)];
   });
   const pairs = ignoredPairs(value).flatMap((pair, i): number[] => (pair.includes(name) ? [i] : [])).reverse();
   return [...left, ...pairs.map((i): TomlChange => ({ op: "remove", at: ["ignore", i] })), { op: "remove", at: [kind, index] }];

@@ -118,13 +118,13 @@ class AxisCard implements Card {
   private about(axis: TomlTable, kind: Kind): string {
     const unit = kind === "linear" ? "mm" : "deg";
     const units = this.context.store.get("units");
-    const [min, max] = [axis[`min_${unit}`], axis[`max_${unit}`]].map((limit) => numberText(limit, unit, units));
-    const range = min || max ? words.range(min || "−∞", max || "∞", unitText(unit, units)) : words.endless;
+    const [least, most] = [axis[`min_${unit}`], axis[`max_${unit}`]].map((limit) => numberText(limit, unit, units));
+    const range = least || most ? words.range(least || "−∞", most || "∞", unitText(unit, units)) : words.endless;
     return `${words[kind]}, ${range}`;
   }
 
-  private edit(what: string, changes: TomlChange[], onPrepared?: () => void): Promise<string> {
-    return this.context.edits.change("machine", texts.machine.changed(this.name, what), changes, onPrepared);
+  private edit(what: string, changes: TomlChange[], made?: () => void): Promise<string> {
+    return this.context.edits.change("machine", texts.machine.changed(this.name, what), changes, made);
   }
 
   private rename(letter: string): Promise<string> {
@@ -135,9 +135,9 @@ class AxisCard implements Card {
   /** Changes the kind; values in mm mean nothing in degrees, and are removed. */
   private changeKind(kind: string): Promise<string> {
     const known = this.keys[kind as Kind].map(({ name }) => name);
-    const unknownKeys = Object.keys(this.axis).filter((key) => !known.includes(key));
+    const gone = Object.keys(this.axis).filter((key) => !known.includes(key));
     return this.edit(words.kind, [
-      ...unknownKeys.map((key) => ({ op: "remove" as const, at: ["axis", this.index, key] })),
+      ...gone.map((key) => ({ op: "remove" as const, at: ["axis", this.index, key] })),
       { op: "set", at: ["axis", this.index, "kind"], value: kind },
     ]);
   }

@@ -14,7 +14,7 @@ export class CheckRunner {
   private readonly button = element("button", { type: "button", hidden: true, onclick: () => void this.check() }, texts.machine.check.again);
   readonly result = new CheckResult(this.button);
   private readonly updateTimer = new Debounced(() => void this.check());
-  private requestNumber = 0;
+  private asked = 0;
   private duration_ms = 0;
   private checked = "";
 
@@ -45,13 +45,13 @@ export class CheckRunner {
 
   private async check(): Promise<void> {
     const { model, session } = this.context;
-    const requestNumber = ++this.requestNumber;
+    const asked = ++this.asked;
     this.button.hidden = true;
     const start_ms = performance.now();
     this.result.wait();
     const checked = await checkMachine(session, model.file("machine"), model.file("cell"));
     this.duration_ms = performance.now() - start_ms;
-    if (requestNumber !== this.requestNumber) return;
+    if (asked !== this.asked) return;
     this.result.show(checked);
     this.onChecked(checked);
   }

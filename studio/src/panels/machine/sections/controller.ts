@@ -54,7 +54,7 @@ class Controller implements Section {
     // Words of programs are shown under their own names.
     const keyLabel = { label: key.name };
     const spec = fieldSpec(key, at[0] === "stops" ? keyLabel : { showsMeaning: true });
-    return { key, at, field: new Field(this.context.store, spec, (value) => this.setValue(spec.label, at, value)) };
+    return { key, at, field: new Field(this.context.store, spec, (value) => this.put(spec.label, at, value)) };
   }
 
   /** Returns the file that sets a key. */
@@ -72,14 +72,14 @@ class Controller implements Section {
     return this.context.model.parts.has("controller") ? "controller" : "machine";
   }
 
-  private setValue(label: string, at: TomlPath, value: Toml | undefined): Promise<string> {
+  private put(label: string, at: TomlPath, value: Toml | undefined): Promise<string> {
     const { edits } = this.context;
     const home = this.findSetting(at);
     if (value === undefined && !home) return Promise.resolve("");
     const part = home?.part ?? this.defaultRole;
-    const path = ["controller", ...at];
+    const place = ["controller", ...at];
     return edits.change(part, texts.machine.changed(words.title, label), [
-      value === undefined ? { op: "remove", at: path } : { op: "set", at: path, value },
+      value === undefined ? { op: "remove", at: place } : { op: "set", at: place, value },
     ]);
   }
 

@@ -28,10 +28,10 @@ export class ErrorList {
 
   private createRow(error: EngineDiagnostic): HTMLElement {
     const { file, line, severity, text, hint } = error;
-    const messageElement = element("span", {}, hint ? `${text} (${hint})` : text);
+    const sentence = element("span", {}, hint ? `${text} (${hint})` : text);
     const { go } = this;
-    const location = locationText(error);
-    const locationElement = go && file ? element("button", { type: "button", title: words.go, onclick: () => go(file, Math.max(line, 1)) }, location) : location;
-    return element("li", { class: severity }, locationElement, " ", messageElement);
+    const place = locationText(error);
+    const way = go && file ? element("button", { type: "button", title: words.go, onclick: () => go(file, Math.max(line, 1)) }, place) : place;
+    return element("li", { class: severity }, way, " ", sentence);
   }
 }

@@ -38,8 +38,8 @@ class Wizard {
   private readonly accept = element("button", { type: "button", class: "primary", onclick: () => void this.onAccept() }, words.accept);
   private readonly updateTimer = new Debounced(() => void this.make());
   private draft: MachineDraft;
-  private draftFile: NewMachineFile | null = null;
-  private requestNumber = 0;
+  private made: NewMachineFile | null = null;
+  private asked = 0;
 
   constructor(private readonly context: Context) {
     this.draft = new MachineDraft(context.session, kindNames[0]);
@@ -81,7 +81,7 @@ class Wizard {
 
   private close(): void {
     this.updateTimer.cancel();
-    ++this.requestNumber;
+    ++this.asked;
     this.dialog.remove();
   }
 
@@ -89,7 +89,7 @@ class Wizard {
     const draft = new MachineDraft(this.context.session, kind);
     this.draft = draft;
     // A result for the previous kind must not be used for this one.
-    ++this.requestNumber;
+    ++this.asked;
     this.updateTimer.cancel();
     this.accept.disabled = true;
     this.about.textContent = words.kinds[kind].about;
@@ -106,16 +106,16 @@ class Wizard {
   }
 
   private async make(): Promise<void> {
-    const requestNumber = ++this.requestNumber;
+    const asked = ++this.asked;
     const { draft } = this;
-    const draftFile = await draft.make();
-    if (requestNumber !== this.requestNumber) return;
-    if (!("file" in draftFile)) return this.showCheckResult({ errors: [draftFile], check: null });
-    this.draftFile = draftFile;
-    this.file.textContent = draftFile.file;
-    this.text.textContent = draftFile.text;
-    const checked = await draft.check(draftFile);
-    if (requestNumber === this.requestNumber) this.showCheckResult(checked);
+    const made = await draft.make();
+    if (asked !== this.asked) return;
+    if (!("file" in made)) return this.showCheckResult({ errors: [made], check: null });
+    this.made = made;
+    this.file.textContent = made.file;
+    this.text.textContent = made.text;
+    const checked = await draft.check(made);
+    if (asked === this.asked) this.showCheckResult(checked);
   }
 
   private showCheckResult(checked: CheckResponse): void {
@@ -125,8 +125,8 @@ class Wizard {
   }
 
   private async onAccept(): Promise<void> {
-    if (!this.draftFile) return;
-    const { file, text } = this.draftFile;
+    if (!this.made) return;
+    const { file, text } = this.made;
     await this.context.edits.choose("machine", words.made(this.draft.name), file, text);
     this.dialog.close();
   }

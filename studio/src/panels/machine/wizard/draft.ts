@@ -63,7 +63,7 @@ export class MachineDraft {
   }
 
   private changes(): TomlChange[] {
-    const chosenChanges = [...this.chosen].flatMap(([key, value]): TomlChange[] => {
+    const own = [...this.chosen].flatMap(([key, value]): TomlChange[] => {
       const at = JSON.parse(key) as TomlPath;
       const before = valueAt(this.sample, at);
       if (value === before) return [];
@@ -74,7 +74,7 @@ export class MachineDraft {
     return [
       { op: "set", at: ["machine", "name"], value: this.name },
       ...changes,
-      ...chosenChanges,
+      ...own,
       ...bodies.map((key): TomlChange => ({ op: "remove", at: [key] })),
       ...moved(this.hasBodies ? this.sample : { ...this.sample, shape: [] }, sample, this.file),
     ];

@@ -21,7 +21,7 @@ export interface Row {
 export interface Comparison {
   before_s: number;
   after_s: number;
-  /** Lines that are new, removed or have another time, the largest difference first; `maxLines` of them. */
+  /** Lines that are new, removed or have another time, the largest difference first; `most` of them. */
   rows: Row[];
   /** How many there are. */
   count: number;
@@ -73,7 +73,7 @@ class Differences {
 }
 
 /** Compares the robot with this number in both runs; returns null if one of them does not have it. */
-export function compare(beforeRun: Run, afterRun: Run, robot: number, maxLines: number): Comparison | null {
+export function compare(beforeRun: Run, afterRun: Run, robot: number, most: number): Comparison | null {
   const [before, after] = [beforeRun.robots[robot], afterRun.robots[robot]];
   if (!before || !after) return null;
   const all = new Differences();
@@ -98,11 +98,11 @@ export function compare(beforeRun: Run, afterRun: Run, robot: number, maxLines: 
     }),
   );
   const count = all.lines.length;
-  const { indices } = largestIndices(count, maxLines, (i) => all.absDifference_s(i), () => true);
+  const { indices } = largestIndices(count, most, (i) => all.absDifference_s(i), () => true);
   const rows = Array.from(indices, (i): Row => {
-    const isRemoved = all.changes[i] === "gone";
-    const file = (isRemoved ? before : after).files[all.files[i]];
-    const text = linesOf((isRemoved ? beforeRun : afterRun).sources, file).line(all.lines[i]);
+    const gone = all.changes[i] === "gone";
+    const file = (gone ? before : after).files[all.files[i]];
+    const text = linesOf((gone ? beforeRun : afterRun).sources, file).line(all.lines[i]);
     const times = { before_s: all.before_s[i], after_s: all.after_s[i] };
     return { change: all.changes[i], file, line: all.lines[i], text, ...times };
   });

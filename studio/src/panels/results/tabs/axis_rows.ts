@@ -29,12 +29,12 @@ export function axisTable(heads: readonly string[], rows: readonly AxisRow[], st
 }
 
 function createRow({ axis, line, cells, title, isOutOfRange }: AxisRow): HTMLElement {
-  const lineText = line === null ? "–" : texts.run.line(line);
+  const place = line === null ? "–" : texts.run.line(line);
   return element(
     "tr",
     { class: isOutOfRange ? "beyond" : "", title, "aria-selected": "false" },
     element("th", { scope: "row" }, axis),
     ...cells.map((cell) => element("td", {}, cell)),
-    element("td", {}, lineText),
+    element("td", {}, place),
   );
 }

@@ -62,7 +62,7 @@ export class BlocksTab implements Tab {
   private readonly more = element("button", { class: "more", onclick: () => this.showMore() });
   private column: Column = "duration";
   private descending = true;
-  private maxRows = INITIAL_ROWS;
+  private most = INITIAL_ROWS;
   private displayed: ArrayLike<number> = [];
   private context: Context | null = null;
   private readonly filterTimer = new Debounced(() => this.filter(this.search.value));
@@ -79,7 +79,7 @@ export class BlocksTab implements Tab {
 
   draw(context: Context): void {
     this.context = context;
-    this.maxRows = INITIAL_ROWS;
+    this.most = INITIAL_ROWS;
     this.fill();
   }
 
@@ -90,19 +90,19 @@ export class BlocksTab implements Tab {
 
   filter(text: string): void {
     this.search.value = text;
-    this.maxRows = INITIAL_ROWS;
+    this.most = INITIAL_ROWS;
     this.fill();
   }
 
   private sortBy(column: Column): void {
     this.descending = column === this.column ? !this.descending : column !== "line";
     this.column = column;
-    this.maxRows = INITIAL_ROWS;
+    this.most = INITIAL_ROWS;
     this.fill();
   }
 
   private showMore(): void {
-    this.maxRows *= 2;
+    this.most *= 2;
     this.fill();
   }
 
@@ -122,7 +122,7 @@ export class BlocksTab implements Tab {
     const table = cachedBlockTable(robot);
     const passes = createFilter(this.search.value, run, robot, table);
     const key = sortKey(this.column, table);
-    const { indices, passed } = largestIndices(table.count, this.maxRows, this.descending ? key : (i) => -key(i), passes);
+    const { indices, passed } = largestIndices(table.count, this.most, this.descending ? key : (i) => -key(i), passes);
     this.displayed = indices;
     this.body.replaceChildren(...Array.from(indices, (block) => this.createRow(block, table)));
     initializeTabStops(this.body);
@@ -137,7 +137,7 @@ export class BlocksTab implements Tab {
     this.count.textContent =
       passed === 0 ? words.noBlocks : words.blockCount(displayed, countText(passed), timeText(time_s, 2));
     this.more.hidden = passed <= this.displayed.length;
-    this.more.textContent = words.more(Math.min(this.maxRows, passed - this.displayed.length));
+    this.more.textContent = words.more(Math.min(this.most, passed - this.displayed.length));
   }
 
   private createRow(block: number, table: BlockTable): HTMLElement {

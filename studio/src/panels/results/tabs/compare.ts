@@ -46,7 +46,7 @@ function total({ before_s, after_s }: Comparison): HTMLElement {
   const percent = percentText(Math.abs(difference_s), before_s);
   const same = Math.abs(difference_s) < MIN_DIFFERENCE_S;
   const faster = difference_s < 0;
-  const message = same ? words.same : faster ? words.faster(size, percent) : words.slower(size, percent);
+  const sentence = same ? words.same : faster ? words.faster(size, percent) : words.slower(size, percent);
   return element(
     "dl",
     { class: "figures" },
@@ -56,7 +56,7 @@ function total({ before_s, after_s }: Comparison): HTMLElement {
       "div",
       { class: `figure great ${same ? "" : faster ? "faster" : "slower"}` },
       element("dt", {}, words.difference),
-      element("dd", {}, message),
+      element("dd", {}, sentence),
     ),
   );
 }

@@ -17,7 +17,7 @@ export function createEfforts(efforts: Efforts, store: Store): HTMLElement {
     kind: "",
     text: words.peakPower(valueText(peak_power_w)),
     title: texts.panels.goThere,
-    locationText: timeText(peak_power_t_s, 2),
+    place: timeText(peak_power_t_s, 2),
     choose: () => store.set("time_s", peak_power_t_s),
   };
   const energies = element("dl", { class: "figures" });

@@ -40,8 +40,8 @@ export function createFollowingErrors(following: Following, store: Store): HTMLE
   }
 
   function contourItem(text: (error: string) => string, at: ContourError): Item {
-    const locationText = [timeText(at.t_s, 2), ...(at.line === null ? [] : [texts.run.line(at.line)])].join(" · ");
+    const place = [timeText(at.t_s, 2), ...(at.line === null ? [] : [texts.run.line(at.line)])].join(" · ");
     const error = lengthText(at.error_mm, store.get("units"));
-    return { kind: "", text: text(error), title: at.file ?? "", locationText, choose: () => goTo(store, at, at.t_s) };
+    return { kind: "", text: text(error), title: at.file ?? "", place, choose: () => goTo(store, at, at.t_s) };
   }
 }

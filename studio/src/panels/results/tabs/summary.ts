@@ -60,10 +60,10 @@ function sections({ run, index }: Context, kinds: readonly MarkKind[], store: St
 /** Returns diagnostics and warnings that are in no other list. */
 function diagnosticItems({ run, report }: Context, store: Store): Item[] {
   if (!report || run.error) return [];
-  const listedCodes = ["collision", "near-miss", "axis-limit", "zone", report.alarm?.code];
-  for (const { code } of report.findings ?? []) listedCodes.push(code);
+  const own = ["collision", "near-miss", "axis-limit", "zone", report.alarm?.code];
+  for (const { code } of report.findings ?? []) own.push(code);
   // Motor diagnostics without a source location are in no list.
-  const isListed = ({ code, line }: ReportDiagnostic) => listedCodes.includes(code) || (code === "motor-peak" && line !== null);
+  const isListed = ({ code, line }: ReportDiagnostic) => own.includes(code) || (code === "motor-peak" && line !== null);
   const diagnostics = (report.diagnostics ?? []).filter((one) => !isListed(one));
   const known = new Set(diagnostics.map(({ text }) => text));
   const common = run.report !== report ? (run.report?.warnings ?? []) : [];
@@ -73,11 +73,11 @@ function diagnosticItems({ run, report }: Context, store: Store): Item[] {
       kind: one.severity,
       text: one.hint ? `${one.text}. ${one.hint}` : one.text,
       title: one.file ?? "",
-      locationText: one.line === null ? words.severities[one.severity] : texts.run.line(one.line),
+      place: one.line === null ? words.severities[one.severity] : texts.run.line(one.line),
       choose: () => goTo(store, one, null),
     })),
     ...warnings.map((text) => {
-      return { kind: "warning", text, title: "", locationText: words.severities.warning, choose: () => {} };
+      return { kind: "warning", text, title: "", place: words.severities.warning, choose: () => {} };
     }),
   ];
 }

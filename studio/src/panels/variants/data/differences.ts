@@ -35,10 +35,10 @@ export function blockOf({ files, blocks }: Robot, { file, line, pass }: StartBlo
 }
 
 /** Returns the block at which the times of a run start; -1: the run never reaches it. */
-function startBlock(from: StartBlock | null, robot: Robot, other: Robot, matched: Int32Array): number {
+function startBlock(from: StartBlock | null, own: Robot, other: Robot, matched: Int32Array): number {
   if (!from) return 0;
-  const block = blockOf(robot, from);
-  if (block >= 0 || robot.files.includes(from.file)) return block;
+  const block = blockOf(own, from);
+  if (block >= 0 || own.files.includes(from.file)) return block;
   const otherBlock = blockOf(other, from);
   return otherBlock < 0 ? -1 : matched[otherBlock];
 }
@@ -105,11 +105,11 @@ export class Differences {
     return this.time_s(1, this.blocksOfB[pair]) - this.time_s(0, this.blocksOfA[pair]);
   }
 
-  /** Returns the rows that differ and match `words`, the largest difference first; at most `maxRows`. */
-  rows(maxRows: number, words = ""): { rows: Row[]; count: number } {
-    const isMatch = this.filter(words);
-    const differs = (pair: number) => Math.abs(this.difference_s(pair)) >= MIN_DIFFERENCE_S && isMatch(pair);
-    const { indices, passed } = largestIndices(this.blocksOfA.length, maxRows, (pair) => Math.abs(this.difference_s(pair)), differs);
+  /** Returns the rows that differ and match `words`, the largest difference first; at most `most`. */
+  rows(most: number, words = ""): { rows: Row[]; count: number } {
+    const lets = this.filter(words);
+    const differs = (pair: number) => Math.abs(this.difference_s(pair)) >= MIN_DIFFERENCE_S && lets(pair);
+    const { indices, passed } = largestIndices(this.blocksOfA.length, most, (pair) => Math.abs(this.difference_s(pair)), differs);
     return { rows: Array.from(indices, (pair) => this.row(pair)), count: passed };
   }
 
@@ -117,10 +117,10 @@ export class Differences {
    * Returns the few blocks with the largest part of the difference: those that change in the same direction
    * as the total.
    */
-  largestDifferences(maxRows: number): Row[] {
-    const sign = Math.sign(this.total_s);
-    const share_s = (pair: number) => sign * this.difference_s(pair);
-    const { indices } = largestIndices(this.blocksOfA.length, maxRows, share_s, (pair) => share_s(pair) >= MIN_DIFFERENCE_S);
+  largestDifferences(most: number): Row[] {
+    const way = Math.sign(this.total_s);
+    const share_s = (pair: number) => way * this.difference_s(pair);
+    const { indices } = largestIndices(this.blocksOfA.length, most, share_s, (pair) => share_s(pair) >= MIN_DIFFERENCE_S);
     return Array.from(indices, (pair) => this.row(pair));
   }
 

@@ -41,7 +41,7 @@ function blockPasses(robot: Robot): Uint32Array {
   const { count, file, line } = cachedBlockTable(robot);
   const last = robot.files.map(() => 0);
   for (let block = 0; block < count; ++block) last[file[block]] = Math.max(last[file[block]] ?? 0, line[block]);
-  const counts = last.map((lastLine) => new Uint32Array(lastLine + 1));
+  const counts = last.map((most) => new Uint32Array(most + 1));
   return Uint32Array.from({ length: count }, (_, block) => counts[file[block]][line[block]]++);
 }
 

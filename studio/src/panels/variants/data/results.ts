@@ -9,7 +9,7 @@ import { isCompleteRun } from "./differences";
 export type VariantStatus =
   | { is: "none" | "dropped"; run: null }
   | { is: "earlier"; run: Run; files: string[] }
-  | { is: "failed"; run: Run; message: string }
+  | { is: "failed"; run: Run; why: string }
   | { is: "stopped" | "done"; run: Run };
 
 const setupKey = (setup: Readonly<Setup>): string => JSON.stringify(Object.entries(setup).sort());
@@ -59,7 +59,7 @@ export class Results {
     if (!run) return { is: this.dropped.has(key) ? "dropped" : "none", run: null };
     const files = this.session.changedSince(run);
     if (files.length > 0) return { is: "earlier", run, files };
-    if (run.error) return { is: "failed", run, message: run.error.message };
+    if (run.error) return { is: "failed", run, why: run.error.message };
     return { is: isCompleteRun(run) ? "done" : "stopped", run };
   }
 }

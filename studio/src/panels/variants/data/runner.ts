@@ -23,25 +23,25 @@ export class Runner {
   async run(variants: readonly Variant[]): Promise<void> {
     const turn = ++this.turn;
     for (const { name, setup } of variants) {
-      this.setProgress({ name, done: 0, total: 0 });
+      this.tell({ name, done: 0, total: 0 });
       const run = await this.session.runComparison(setup, (running) => {
-        if (turn === this.turn) this.setProgress({ name, ...running });
+        if (turn === this.turn) this.tell({ name, ...running });
       });
       if (turn !== this.turn) return;
       if (!run) break;
       this.results.accept(run);
     }
-    this.setProgress(null);
+    this.tell(null);
   }
 
   cancel(): void {
     if (!this.runProgress) return;
     ++this.turn;
     this.session.cancelRun();
-    this.setProgress(null);
+    this.tell(null);
   }
 
-  private setProgress(runProgress: RunProgress | null): void {
+  private tell(runProgress: RunProgress | null): void {
     this.runProgress = runProgress;
     this.changed();
   }

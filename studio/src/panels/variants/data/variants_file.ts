@@ -46,10 +46,10 @@ function readStartBlock(value: unknown, where: string): StartBlock {
 
 function readSetup(values: Table, where: string): Setup {
   const setup = emptySetup();
-  const setupTable = setup as unknown as Table;
+  const put = setup as unknown as Table;
   for (const [key, value] of Object.entries(values)) {
-    if (typeof value !== typeof setupTable[key]) throw new VariantsFileError(words.wrongValue(where, key));
-    setupTable[key] = value;
+    if (typeof value !== typeof put[key]) throw new VariantsFileError(words.wrongValue(where, key));
+    put[key] = value;
   }
   for (const key of overrideKeys) {
     if (!(setup[key] >= 0 && setup[key] <= MAX_OVERRIDE_PERCENT)) throw new VariantsFileError(words.wrongOverride(where, key, MAX_OVERRIDE_PERCENT));

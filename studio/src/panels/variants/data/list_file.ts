@@ -5,7 +5,7 @@ import type { Session } from "../../../core/session";
 import type { Store } from "../../../core/store";
 import { freeName, readVariants, writeVariants, type ReadVariants, type Variant } from "./variants_file";
 
-export class SelectedVariantsFile {
+export class ListFile {
   constructor(
     private readonly store: Store,
     private readonly session: Session,
