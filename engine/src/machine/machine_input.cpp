@@ -41,9 +41,12 @@ Result<MachineInput> read_machine_file(const std::string& text, const std::strin
 
 Result<MachineInput> read_input(const Host& host, const std::string& name, os::NameSource name_source,
                                 std::vector<std::string>* errors) {
-    if (name.empty())
-        return read_machine_file(std::string(machine::built_in_machine_toml()), "built-in machine",
-                                 os::disk(), errors);
+    if (name.empty()) {
+        return machine::read_machine(machine::built_in_machine_toml(), "built-in machine")
+            .map([](machine::Machine machine) {
+                return MachineInput{std::move(machine), {}, {}, {}};
+            });
+    }
     const auto file = resolve_name(host, NameKind::machine, name);
     if (!file) return tl::unexpected(file.error());
     const auto text = host.files.impl().read_text(*file, name_source);  // once: it may be a pipe
