@@ -48,10 +48,16 @@ def renamings():
     return frozenset(tuple(line.split()) for line in lines if line and not line.startswith("#"))
 
 
+def text_at(since, name):
+    """Returns the text of a file at a commit, or None if there was no file of this name."""
+    shown = subprocess.run(["git", "show", f"{since}:{name}"], capture_output=True, text=True)
+    return shown.stdout if shown.returncode == 0 else None
+
+
 def is_same_source(since, before, after, old_names):
     if not SOURCE.fullmatch(after) or not Path(after).exists():
         return False
-    old = subprocess.run(["git", "show", f"{since}:{before}"], check=True, capture_output=True, text=True).stdout
+    old = text_at(since, before)
     return same_source.is_same(old, Path(after).read_text(encoding="utf-8"), after.endswith(".lua"), old_names, names(), renamings())
 
 
@@ -79,12 +85,13 @@ def including(headers, graph):
 
 
 def lost_something(since, header):
-    """Returns True if a header has lost a name or an include. Sources that include it may miss one only then: batches compile all else."""
-    before = subprocess.run(["git", "show", f"{since}:{header}"], capture_output=True, text=True)
-    if before.returncode != 0 or not Path(header).exists():
-        return before.returncode == 0
+    """Returns True if a header has lost a name or an include. Sources that include it may miss one only then: batches compile all else.
+    A header that moved may have lost some, too."""
+    before = text_at(since, header)
+    if before is None or not Path(header).exists():
+        return True
     after = Path(header).read_text(encoding="utf-8")
-    return any(set(found(before.stdout)) - set(found(after)) for found in (same_source.names_of, INCLUDE.findall))
+    return any(set(found(before)) - set(found(after)) for found in (same_source.names_of, INCLUDE.findall))
 
 
 def changed_sources(since):

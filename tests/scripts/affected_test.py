@@ -60,6 +60,16 @@ class Affected(unittest.TestCase):
         self.write("low/b.h", "int b();\n")
         self.assertEqual(["high/c.cpp"], affected.changed_sources("HEAD"))
 
+    def test_a_header_that_moved_and_lost_an_include_affects_what_includes_it(self):
+        self.write("low/b.h", '#include "low/a.h"\nint b();\n')
+        self.git("add", ".")
+        self.git("-c", "user.name=a", "-c", "user.email=a@example.org", "commit", "--quiet", "-m", "Include")
+        self.git("mv", "low/b.h", "low/e.h")
+        self.write("low/e.h", "int b();\n")
+        self.write("high/c.cpp", SOURCES["high/c.cpp"].replace("low/b.h", "low/e.h"))
+        self.git("add", ".")
+        self.assertIn("high/c.cpp", affected.changed_sources("HEAD"))
+
     def test_a_source_that_only_moved_has_not_changed(self):
         self.git("mv", "low", "base")
         self.write("base/a.cpp", SOURCES["low/a.cpp"].replace("low/", "base/"))
